@@ -29,9 +29,7 @@ BackgroundWork::BackgroundWork(QObject* parent) : QObject(parent) {
   connect(&timer_, &QTimer::timeout, this, &BackgroundWork::look);
 }
 
-BackgroundWork::~BackgroundWork() {
-  stop();
-}
+BackgroundWork::~BackgroundWork() { stop(); }
 
 void BackgroundWork::start(Work work) {
   if (shared_) return;

@@ -20,8 +20,8 @@ Message with_local_numbers(const Message& message) {
                 .toStdString();
   std::vector<Message> parts;
   for (const Message& part : message.parts()) parts.push_back(with_local_numbers(part));
-  return Message::compose(
-      message.kind(), std::move(words), message.context(), message.count(), std::move(parts));
+  return Message::compose(message.kind(), std::move(words), message.context(), message.count(),
+                          std::move(parts));
 }
 
 std::string in_language(const Message& message) {
@@ -65,9 +65,7 @@ QString as_sentence(const QString& words) {
   return in_window_language(en::say("{}.", Message::typed(words.toStdString())));
 }
 
-QString WindowTranslator::translate(const char* context,
-                                    const char* source,
-                                    const char* of,
+QString WindowTranslator::translate(const char* context, const char* source, const char* of,
                                     int count) const {
   return in_english > 0 ? QString() : QTranslator::translate(context, source, of, count);
 }
@@ -95,9 +93,7 @@ struct JoinedWords {
 
 }  // namespace
 
-QString listed(const QStringList& things) {
-  return things.join(JoinedWords::between_things());
-}
+QString listed(const QStringList& things) { return things.join(JoinedWords::between_things()); }
 
 QString joined(const QStringList& parts) {
   QStringList parts_shown = parts;
@@ -146,9 +142,7 @@ QString number_and_sd(double value, const std::optional<double>& sd, int digits)
   return sd ? QStringLiteral("%1 ± %2").arg(text, NumberText::sd(*sd, digits)) : text;
 }
 
-QString sd_number(double sd, int digits) {
-  return NumberText::sd(sd, digits);
-}
+QString sd_number(double sd, int digits) { return NumberText::sd(sd, digits); }
 
 QString limit_and_sd(double value, const std::optional<double>& sd, int digits) {
   return (value < 0 ? NumberText::at_most() : NumberText::at_least())

@@ -26,9 +26,7 @@ namespace alltact {
 /// Translates unless an EnglishScope exists.
 class WindowTranslator : public QTranslator {
  public:
-  QString translate(const char* context,
-                    const char* source,
-                    const char* of,
+  QString translate(const char* context, const char* source, const char* of,
                     int count) const override;
 };
 

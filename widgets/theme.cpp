@@ -45,33 +45,12 @@ QPalette made_of(const Colours& colours) {
   return palette;
 }
 
-const Colours kLight{"#f4f5f6",
-                     "#ffffff",
-                     "#eef0f2",
-                     "#16191d",
-                     "#72787f",
-                     "#e6e8eb",
-                     "#0b5fa5",
-                     "#ffffff",
-                     "#0b5fa5"};
-const Colours kDark{"#202327",
-                    "#17191c",
-                    "#1d2024",
-                    "#e8eaed",
-                    "#8b929a",
-                    "#2c3036",
-                    "#4294de",
-                    "#0b0d0f",
-                    "#7fbdf2"};
-const Colours kContrast{"#000000",
-                        "#000000",
-                        "#000000",
-                        "#ffffff",
-                        "#b0b0b0",
-                        "#000000",
-                        "#ffe600",
-                        "#000000",
-                        "#7fd4ff"};
+const Colours kLight{"#f4f5f6", "#ffffff", "#eef0f2", "#16191d", "#72787f",
+                     "#e6e8eb", "#0b5fa5", "#ffffff", "#0b5fa5"};
+const Colours kDark{"#202327", "#17191c", "#1d2024", "#e8eaed", "#8b929a",
+                    "#2c3036", "#4294de", "#0b0d0f", "#7fbdf2"};
+const Colours kContrast{"#000000", "#000000", "#000000", "#ffffff", "#b0b0b0",
+                        "#000000", "#ffe600", "#000000", "#7fd4ff"};
 
 }  // namespace
 
@@ -107,10 +86,10 @@ bool is_dark(const QPalette& palette) {
 }
 
 QColor series_colour(int index, const QPalette& palette) {
-  static const std::array<QColor, 6> on_light{
-      "#0072b2", "#d55e00", "#007a5a", "#a8528a", "#8a6500", "#4c5158"};
-  static const std::array<QColor, 6> on_dark{
-      "#56b4e9", "#f0915a", "#2fc79b", "#e09ac6", "#e6b93c", "#b4bac2"};
+  static const std::array<QColor, 6> on_light{"#0072b2", "#d55e00", "#007a5a",
+                                              "#a8528a", "#8a6500", "#4c5158"};
+  static const std::array<QColor, 6> on_dark{"#56b4e9", "#f0915a", "#2fc79b",
+                                             "#e09ac6", "#e6b93c", "#b4bac2"};
   const auto& colours = is_dark(palette) ? on_dark : on_light;
   return colours[static_cast<std::size_t>(index) % colours.size()];
 }
@@ -207,9 +186,7 @@ void outline(QPainter& painter, const QStyleOption& option, int top = 0) {
           : option.palette.color(
                 is_enabled && is_black(option) ? QPalette::Active : QPalette::Disabled,
                 QPalette::WindowText);
-  draw_outline(painter,
-               option.rect.adjusted(0, top, 0, 0),
-               colour,
+  draw_outline(painter, option.rect.adjusted(0, top, 0, 0), colour,
                is_on && is_black(option) ? kFocusWidth : 1);
 }
 
@@ -229,10 +206,8 @@ void draw_primary(QPainter& painter, const QStyleOption& option) {
   painter.drawRoundedRect(QRectF(option.rect), kCorner, kCorner);
   painter.restore();
   if (has_focus(option))
-    draw_outline(painter,
-                 option.rect.adjusted(2, 2, -2, -2),
-                 option.palette.color(QPalette::HighlightedText),
-                 kFocusWidth);
+    draw_outline(painter, option.rect.adjusted(2, 2, -2, -2),
+                 option.palette.color(QPalette::HighlightedText), kFocusWidth);
 }
 
 /// The selected one of several: tinted, and a bar along its lower edge.
@@ -256,10 +231,8 @@ int title_height(const QProxyStyle& style, const QStyleOption& option, const QWi
 
 StudioStyle::StudioStyle() : QProxyStyle(QStyleFactory::create(QStringLiteral("Fusion"))) {}
 
-void StudioStyle::drawPrimitive(PrimitiveElement element,
-                                const QStyleOption* option,
-                                QPainter* painter,
-                                const QWidget* widget) const {
+void StudioStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option,
+                                QPainter* painter, const QWidget* widget) const {
   const bool is_enabled = option->state.testFlag(State_Enabled);
   if (element == PE_PanelButtonCommand && widget && is_primary(*widget) && is_enabled)
     return draw_primary(*painter, *option);
@@ -267,13 +240,12 @@ void StudioStyle::drawPrimitive(PrimitiveElement element,
     const int y = option->rect.top() + title_height(*this, *option, widget);
     painter->fillRect(QRect(option->rect.left(), y, option->rect.width(), 1),
                       mixed(option->palette.color(QPalette::Window),
-                            option->palette.color(QPalette::WindowText),
-                            0.22));
+                            option->palette.color(QPalette::WindowText), 0.22));
     return;
   }
   if (element == PE_FrameFocusRect)
-    return draw_outline(
-        *painter, option->rect, option->palette.color(QPalette::Highlight), kFocusWidth);
+    return draw_outline(*painter, option->rect, option->palette.color(QPalette::Highlight),
+                        kFocusWidth);
   QProxyStyle::drawPrimitive(element, option, painter, widget);
   // Fusion draws no PE_FrameFocusRect for buttons; its own sign is a shade of their edge.
   if (element == PE_PanelButtonCommand && has_focus(*option) && !is_black(*option))
@@ -300,9 +272,7 @@ void StudioStyle::drawPrimitive(PrimitiveElement element,
   }
 }
 
-void StudioStyle::drawControl(ControlElement element,
-                              const QStyleOption* option,
-                              QPainter* painter,
+void StudioStyle::drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
                               const QWidget* widget) const {
   const auto* button = qstyleoption_cast<const QStyleOptionButton*>(option);
   const bool is_filled = widget && is_primary(*widget) && option->state.testFlag(State_Enabled);
@@ -313,10 +283,8 @@ void StudioStyle::drawControl(ControlElement element,
   QProxyStyle::drawControl(element, &filled, painter, widget);
 }
 
-void StudioStyle::drawComplexControl(ComplexControl control,
-                                     const QStyleOptionComplex* option,
-                                     QPainter* painter,
-                                     const QWidget* widget) const {
+void StudioStyle::drawComplexControl(ComplexControl control, const QStyleOptionComplex* option,
+                                     QPainter* painter, const QWidget* widget) const {
   if (control == CC_GroupBox) {
     painter->save();
     QFont title = painter->font();
@@ -330,10 +298,8 @@ void StudioStyle::drawComplexControl(ComplexControl control,
     outline(*painter, *option);
 }
 
-QRect StudioStyle::subControlRect(ComplexControl control,
-                                  const QStyleOptionComplex* option,
-                                  SubControl part,
-                                  const QWidget* widget) const {
+QRect StudioStyle::subControlRect(ComplexControl control, const QStyleOptionComplex* option,
+                                  SubControl part, const QWidget* widget) const {
   QRect rect = QProxyStyle::subControlRect(control, option, part, widget);
   const auto* group = qstyleoption_cast<const QStyleOptionGroupBox*>(option);
   if (control == CC_GroupBox && part == SC_GroupBoxLabel && group != nullptr) {
@@ -347,8 +313,7 @@ QRect StudioStyle::subControlRect(ComplexControl control,
   return rect;
 }
 
-int StudioStyle::pixelMetric(PixelMetric metric,
-                             const QStyleOption* option,
+int StudioStyle::pixelMetric(PixelMetric metric, const QStyleOption* option,
                              const QWidget* widget) const {
   switch (metric) {
     case PM_LayoutHorizontalSpacing:
@@ -380,8 +345,6 @@ void set_primary(QPushButton& button, bool is_primary) {
   button.update();
 }
 
-bool is_primary(const QWidget& widget) {
-  return widget.property(kPrimary).toBool();
-}
+bool is_primary(const QWidget& widget) { return widget.property(kPrimary).toBool(); }
 
 }  // namespace alltact

@@ -55,24 +55,16 @@ class StudioStyle : public QProxyStyle {
  public:
   StudioStyle();
 
-  void drawPrimitive(PrimitiveElement element,
-                     const QStyleOption* option,
-                     QPainter* painter,
+  void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                      const QWidget* widget = nullptr) const override;
-  void drawControl(ControlElement element,
-                   const QStyleOption* option,
-                   QPainter* painter,
+  void drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
                    const QWidget* widget = nullptr) const override;
-  void drawComplexControl(ComplexControl control,
-                          const QStyleOptionComplex* option,
-                          QPainter* painter,
-                          const QWidget* widget = nullptr) const override;
-  [[nodiscard]] QRect subControlRect(ComplexControl control,
-                                     const QStyleOptionComplex* option,
+  void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option,
+                          QPainter* painter, const QWidget* widget = nullptr) const override;
+  [[nodiscard]] QRect subControlRect(ComplexControl control, const QStyleOptionComplex* option,
                                      SubControl part,
                                      const QWidget* widget = nullptr) const override;
-  [[nodiscard]] int pixelMetric(PixelMetric metric,
-                                const QStyleOption* option = nullptr,
+  [[nodiscard]] int pixelMetric(PixelMetric metric, const QStyleOption* option = nullptr,
                                 const QWidget* widget = nullptr) const override;
 };
 

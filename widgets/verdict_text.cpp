@@ -15,10 +15,8 @@ struct WorthWords {
 };
 
 /// Requirements that report a contradiction of the calibration; all others report missing evidence.
-constexpr std::array<std::string_view, 5> kContradicting{"reference_whole",
-                                                         "numbers_unchanged",
-                                                         "ball_possible",
-                                                         "reference_older",
+constexpr std::array<std::string_view, 5> kContradicting{"reference_whole", "numbers_unchanged",
+                                                         "ball_possible", "reference_older",
                                                          "numbers_consistent"};
 
 bool is_broken(ReferenceState reference) {
@@ -27,18 +25,14 @@ bool is_broken(ReferenceState reference) {
 
 }  // namespace
 
-QString grade_text(Grade grade) {
-  return window_phrase(word_of(grade));
-}
+QString grade_text(Grade grade) { return window_phrase(word_of(grade)); }
 
 Meaning meaning_of(Grade grade) {
   if (grade == Grade::kGood) return Meaning::kGood;
   return grade == Grade::kUnfit ? Meaning::kBad : Meaning::kDoubtful;
 }
 
-QString check_text(CheckVerdict verdict) {
-  return window_phrase(word_of(verdict));
-}
+QString check_text(CheckVerdict verdict) { return window_phrase(word_of(verdict)); }
 
 Meaning meaning_of(CheckVerdict verdict) {
   if (verdict == CheckVerdict::kPass) return Meaning::kGood;
@@ -55,9 +49,7 @@ std::optional<double> expected_error_mm(const Verdict& verdict) {
   return is_vouched && verdict.error_mm > 0 ? std::optional(verdict.error_mm) : std::nullopt;
 }
 
-QString changed_text() {
-  return WorthWords::tr("Changed since it was calibrated");
-}
+QString changed_text() { return WorthWords::tr("Changed since it was calibrated"); }
 
 Headline headline_of(Grade grade, double error_mm, bool must_repeat, ReferenceState reference) {
   if (is_broken(reference)) return {WorthWords::tr("Broken"), Meaning::kBad};
@@ -106,9 +98,7 @@ QString error_word(Meaning meaning) {
                                          : WorthWords::tr("poor", "an error");
 }
 
-QString local_mm(double value, int digits) {
-  return QLocale().toString(value, 'f', digits);
-}
+QString local_mm(double value, int digits) { return QLocale().toString(value, 'f', digits); }
 
 namespace {
 

@@ -35,9 +35,7 @@ struct Headline {
 };
 ///   error_mm: see expected_error_mm; 0: none
 ///   must_repeat: numbers or reference differ from those of the calibration
-[[nodiscard]] Headline headline_of(Grade grade,
-                                   double error_mm,
-                                   bool must_repeat,
+[[nodiscard]] Headline headline_of(Grade grade, double error_mm, bool must_repeat,
                                    ReferenceState reference);
 
 /// All contradictions of the calibration, then its missing requirements, worst first, each with

@@ -78,17 +78,11 @@ int ElidedLabel::full_width() const {
          fontMetrics().horizontalAdvance(text().mid(bold_));
 }
 
-bool ElidedLabel::is_elided() const {
-  return full_width() > contentsRect().width();
-}
+bool ElidedLabel::is_elided() const { return full_width() > contentsRect().width(); }
 
-QSize ElidedLabel::minimumSizeHint() const {
-  return {1, fontMetrics().height()};
-}
+QSize ElidedLabel::minimumSizeHint() const { return {1, fontMetrics().height()}; }
 
-QSize ElidedLabel::sizeHint() const {
-  return {full_width() + 1, fontMetrics().height()};
-}
+QSize ElidedLabel::sizeHint() const { return {full_width() + 1, fontMetrics().height()}; }
 
 void ElidedLabel::paintEvent(QPaintEvent*) {
   QPainter painter(this);
@@ -103,8 +97,7 @@ void ElidedLabel::paintEvent(QPaintEvent*) {
     painter.setFont(font());
   }
   painter.drawText(
-      room,
-      static_cast<int>(alignment() & Qt::AlignHorizontal_Mask) | Qt::AlignVCenter,
+      room, static_cast<int>(alignment() & Qt::AlignHorizontal_Mask) | Qt::AlignVCenter,
       fontMetrics().elidedText(text().mid(bold_), elide_mode_, std::max(0, room.width())));
 }
 

@@ -14,22 +14,13 @@ namespace alltact {
 namespace {
 
 void print_methods(const std::vector<MethodRow>& methods, Console& console) {
-  console.say(fmt::format("{:<25} {:>7} {:>13} {:>12} {:>9} {:>9}",
-                          "all methods, same presses",
-                          "presses",
-                          "mean depth mm",
-                          "residual mm",
-                          "method mm",
-                          "joint mm"));
+  console.say(fmt::format("{:<25} {:>7} {:>13} {:>12} {:>9} {:>9}", "all methods, same presses",
+                          "presses", "mean depth mm", "residual mm", "method mm", "joint mm"));
   for (const MethodRow& row : methods)
     console.say(row.failed.empty()
                     ? fmt::format("{:<25} {:>7} {:>13.3f} {:>12.4f} {:>9.3f} {:>9.3f}",
-                                  method_name(row.method),
-                                  row.presses,
-                                  row.press_depth_mm,
-                                  row.residual_mm,
-                                  row.at_depth_mm,
-                                  row.joint_depth_mm)
+                                  method_name(row.method), row.presses, row.press_depth_mm,
+                                  row.residual_mm, row.at_depth_mm, row.joint_depth_mm)
                     : fmt::format("{:<25} {}", method_name(row.method), row.failed));
 }
 
@@ -38,9 +29,7 @@ void print_result(const FingerCalibration& done, Console& console) {
   console.say(
       fmt::format("{:<24} {:>9} {:>12} {:>13}", "press", "depth mm", "residual mm", "held-out mm"));
   for (const BallFit& ball : calibration.balls) {
-    console.say(fmt::format("{:<24} {:>9.3f} {:>12.4f} {:>13}",
-                            ball.press,
-                            ball.depth_mm,
+    console.say(fmt::format("{:<24} {:>9.3f} {:>12.4f} {:>13}", ball.press, ball.depth_mm,
                             ball.residual_mm,
                             ball.held_out_mm > 0 ? fmt::format("{:.4f}", ball.held_out_mm) : "-"));
   }
@@ -51,19 +40,15 @@ void print_result(const FingerCalibration& done, Console& console) {
   if (by_chance > 0)
     console.say(
         fmt::format("Remark: {} of {} presses happen to fit better when left out than when used.",
-                    by_chance,
-                    calibration.balls.size()));
+                    by_chance, calibration.balls.size()));
   for (const Message& sentence : done.made_of) console.say(fmt::format("{}.", sentence));
   for (const BallFit& ball : calibration.balls)
     if (ball.given_depth)
-      console.say(fmt::format("{}: measured indentation {} mm, fitted {:.3f} mm",
-                              ball.press,
+      console.say(fmt::format("{}: measured indentation {} mm, fitted {:.3f} mm", ball.press,
                               value_and_sd(ball.given_depth->mm, ball.given_depth->sd_mm, 3),
                               ball.indentation_mm));
   for (const StepFit& step : calibration.steps)
-    console.say(fmt::format("{}: step of {:.3f} mm, estimated as {} mm",
-                            step.press,
-                            step.step_mm,
+    console.say(fmt::format("{}: step of {:.3f} mm, estimated as {} mm", step.press, step.step_mm,
                             value_and_sd(step.estimated_mm, step.sd_mm, 3)));
   for (const Message& reason : calibration.left_out)
     console.warn(fmt::format("Left out: {}", reason));
@@ -116,8 +101,8 @@ Result<FingerCalibration> calibrate_as_asked(const CalibrateOptions& options, Co
   if (options.again) {
     const auto inputs = inputs_again(options, console);
     if (!inputs) return inputs.error();
-    return calibrate_finger_again(
-        options.finger, *inputs, program_version(), report_maker(options, console), console.job());
+    return calibrate_finger_again(options.finger, *inputs, program_version(),
+                                  report_maker(options, console), console.job());
   }
   FingerCalibrationInput input;
   input.folder = options.finger;
@@ -169,8 +154,7 @@ void add_calibrate(CLI::App& program, Chosen& chosen) {
   CLI::Option* presses = command->add_option(
       "PRESS", options->presses.files, "Images of the pressed ball, a folder of them, or a video");
   CLI::Option* bursts =
-      command->add_flag("--bursts",
-                        options->presses.bursts,
+      command->add_flag("--bursts", options->presses.bursts,
                         "Averages the frames of each PRESS, a short video or a folder of one press "
                         "held still, to one image with its name");
   CLI::Option* radius =
@@ -181,8 +165,7 @@ void add_calibrate(CLI::App& program, Chosen& chosen) {
   press_set.add_to(*command);
   CLI::Option* reference =
       command
-          ->add_option("--reference",
-                       options->reference,
+          ->add_option("--reference", options->reference,
                        "Untouched image of a flat sensor; stored with the finger")
           ->type_name("IMAGE");
   command->add_option("--operator", options->operator_name, "Name of the operator, for the record")
@@ -190,8 +173,7 @@ void add_calibrate(CLI::App& program, Chosen& chosen) {
   CLI::Option* date =
       command
           ->add_option(
-              "--date",
-              options->date,
+              "--date", options->date,
               "Date of this calibration, for the record, as 2026-01-31T12:00:00Z (default: now)")
           ->type_name("DATE")
           ->check([](const std::string& text) {
@@ -199,8 +181,7 @@ void add_calibrate(CLI::App& program, Chosen& chosen) {
           });
   CLI::Option* again =
       command
-          ->add_flag("--again",
-                     options->again,
+          ->add_flag("--again", options->again,
                      "Repeats the stored calibration with the same presses and settings, to "
                      "identical bytes; other options given here override it")
           ->excludes(presses)

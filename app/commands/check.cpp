@@ -42,27 +42,20 @@ Status print_history(const Path& folder, Console& console) {
   const std::size_t first = checks->size() > kShown ? checks->size() - kShown : 0;
   for (std::size_t i = first; i < checks->size(); ++i) {
     const CheckEntry& entry = (*checks)[i];
-    console.say(
-        fmt::format("checked {}: {:<11} {:.3f} mm (passes up to {:.3f} mm), light {:+.1f} %",
-                    entry.time,
-                    to_string(entry.verdict),
-                    entry.error_mm,
-                    entry.drifting_above_mm,
-                    entry.light_percent));
+    console.say(fmt::format(
+        "checked {}: {:<11} {:.3f} mm (passes up to {:.3f} mm), light {:+.1f} %", entry.time,
+        to_string(entry.verdict), entry.error_mm, entry.drifting_above_mm, entry.light_percent));
   }
   return {};
 }
 
 void print_check(const PressCheck& check, Console& console) {
-  console.say(fmt::format(
-      "{:<24} {:>9} {:>9} {:>9} {:>9}", "press", "depth mm", "error mm", "factor", "light %"));
+  console.say(fmt::format("{:<24} {:>9} {:>9} {:>9} {:>9}", "press", "depth mm", "error mm",
+                          "factor", "light %"));
   Console::Json presses = Console::Json::array();
   for (const CheckedPress& press : check.presses) {
-    console.say(fmt::format("{:<24} {:>9.3f} {:>9.4f} {:>9.3f} {:>9.1f}",
-                            press.name,
-                            press.depth_mm,
-                            press.error_mm,
-                            press.factor,
+    console.say(fmt::format("{:<24} {:>9.3f} {:>9.4f} {:>9.3f} {:>9.1f}", press.name,
+                            press.depth_mm, press.error_mm, press.factor,
                             100 * press.light_change));
     presses.push_back({{"press", press.name},
                        {"depth_mm", press.depth_mm},
@@ -88,9 +81,7 @@ void print_check(const PressCheck& check, Console& console) {
 
 }  // namespace
 
-Status run_check_presses(const Path& folder,
-                         const PressInput& presses,
-                         const PressSet& press_set,
+Status run_check_presses(const Path& folder, const PressInput& presses, const PressSet& press_set,
                          Console& console) {
   const auto snapshot = open_finger(folder, console);
   if (!snapshot) return snapshot.error();
@@ -102,8 +93,7 @@ Status run_check_presses(const Path& folder,
   const Status saved = append_check(folder, entry_of(*check, finger, utc_now(), program_version()));
   if (!saved) return saved.error();
   if (check->verdict == CheckVerdict::kRecalibrate)
-    return Error{en::say("the finger must be calibrated again; the reason is above"),
-                 folder,
+    return Error{en::say("the finger must be calibrated again; the reason is above"), folder,
                  en::say("alltact calibrate with new presses")};
   return {};
 }
@@ -127,8 +117,7 @@ Status run_check_reference(const Path& folder, const std::vector<Path>& images, 
   answer["left_out"] = in_english(check->left_out);
   if (check->verdict == CheckVerdict::kRecalibrate)
     return Error{
-        en::say("the reference must be recorded again; the reason is above"),
-        folder.string(),
+        en::say("the reference must be recorded again; the reason is above"), folder.string(),
         en::say("alltact reference with a new recording, then alltact check with presses")};
   return {};
 }
@@ -170,24 +159,14 @@ Status run_check_numerics(Console& console) {
   const auto number = [](double error) {
     return std::isfinite(error) ? Console::Json(error) : Console::Json();
   };
-  console.say(fmt::format("{:>9}  {:>9}  {:>9}  {:>8}  {:<5}  {}",
-                          "naive",
-                          "ours",
-                          "bound",
-                          "answered",
-                          "holds",
-                          "what"));
+  console.say(fmt::format("{:>9}  {:>9}  {:>9}  {:>8}  {:<5}  {}", "naive", "ours", "bound",
+                          "answered", "holds", "what"));
   for (const HardCase& one : hard_cases()) {
     failed += !one.holds();
     console.say(fmt::format("{:>9.2g}  {:>9.2g}  {:>9.2g}  {:>6.1f} %  {:<5}  {} ({}; naive: {})",
-                            one.naive_score.error,
-                            one.own_score.error,
-                            one.bound,
-                            100 * one.own_score.answered,
-                            one.holds() ? "yes" : "NO",
-                            one.what,
-                            one.unit,
-                            one.naive));
+                            one.naive_score.error, one.own_score.error, one.bound,
+                            100 * one.own_score.answered, one.holds() ? "yes" : "NO", one.what,
+                            one.unit, one.naive));
     rows.push_back({{"what", one.what},
                     {"plain", one.naive},
                     {"unit", one.unit},
@@ -202,11 +181,9 @@ Status run_check_numerics(Console& console) {
   console.answer()["numerics"] = std::move(rows);
   console.answer()["failed"] = failed;
   if (failed > 0)
-    return Error{
-        en::say(
-            "{} of {} calculations are less exact on this computer than they must be", failed, all),
-        "",
-        en::say("reporting the table above with the kind of processor")};
+    return Error{en::say("{} of {} calculations are less exact on this computer than they must be",
+                         failed, all),
+                 "", en::say("reporting the table above with the kind of processor")};
   console.say(
       fmt::format("All {} calculations are within their error bounds on this computer.", all));
   return {};
@@ -222,15 +199,13 @@ void add_check(CLI::App& program, Chosen& chosen) {
   CLI::Option* finger = command->add_option("FINGER", *folder, "The finger's folder");
   CLI::Option* images =
       command
-          ->add_option("--presses",
-                       presses->files,
+          ->add_option("--presses", presses->files,
                        "Checks the calibration with three or more new images of the pressed ball: "
                        "pass, drifting or recalibrate; stored in checks.csv")
           ->type_name("PICTURE...")
           ->needs(finger);
   command
-      ->add_option("--ball-radius-mm",
-                   press_set->ball_radius_mm,
+      ->add_option("--ball-radius-mm", press_set->ball_radius_mm,
                    "Radius of the pressed ball, mm (default: that of the calibration)")
       ->type_name("R")
       ->transform(typed_number(kBallRadius))
@@ -238,16 +213,14 @@ void add_check(CLI::App& program, Chosen& chosen) {
   PressFlags steps;
   steps.add_to(*command, "step");
   command
-      ->add_option("--untouched",
-                   *untouched,
+      ->add_option("--untouched", *untouched,
                    "Checks the reference with new images of the untouched finger: whether the "
                    "light has drifted and the reference must be recorded again")
       ->type_name("PICTURE...")
       ->needs(finger)
       ->excludes(images);
   command
-      ->add_flag("--numerics",
-                 *numerics,
+      ->add_flag("--numerics", *numerics,
                  "Checks the numerical accuracy of this computer instead of a finger: errors of "
                  "naive formulas and of ours in hard cases, and the bound")
       ->excludes(finger);

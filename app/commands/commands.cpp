@@ -38,15 +38,12 @@ Result<PipelineSettings> stored_settings(const std::filesystem::path& finger,
   return presets->now;
 }
 
-void warn_of_other_settings(const PipelineSettings& stored,
-                            const PipelineSettings& requested,
+void warn_of_other_settings(const PipelineSettings& stored, const PipelineSettings& requested,
                             Console& console) {
   for (const auto& setting : pipeline_settings())
     if (is_of_mapping(setting.name) && setting.get(stored) != setting.get(requested))
       console.warn(fmt::format("Warning: --{} is {}, but the finger was calibrated with {}.",
-                               setting.name,
-                               setting.get(requested),
-                               setting.get(stored)));
+                               setting.name, setting.get(requested), setting.get(stored)));
 }
 
 // The command line program, in the library that holds all commands.
@@ -60,8 +57,7 @@ int usage_status(const CLI::App& program, const CLI::ParseError& error) {
 }
 
 /// A page is named after a program, or alltact-COMMAND.
-Result<std::string> page_named(const CLI::App& alltact,
-                               const CLI::App& studio,
+Result<std::string> page_named(const CLI::App& alltact, const CLI::App& studio,
                                const std::string& page) {
   if (page == alltact.get_name()) return man_page(alltact, program_version());
   if (page == studio.get_name()) return man_page(studio, program_version());
@@ -135,8 +131,7 @@ Error as_error(const std::exception& thrown) {
                              system->code() == std::errc::not_enough_memory));
   if (is_memory)
     return {en::say("there is not enough memory"), "", en::say("close other programs")};
-  return {en::say("unexpected: {}", std::string(thrown.what())),
-          "",
+  return {en::say("unexpected: {}", std::string(thrown.what())), "",
           en::say("reporting this as a defect")};
 }
 

@@ -178,9 +178,7 @@ Status run_record(const RecordOptions& options, Console& console);
 /// Prints the grade of a finger's calibration, and its last checks. Error: it is not fit to use.
 Status run_check(const Path& finger, Console& console);
 /// Checks the calibration with new presses and stores the outcome. Error: calibrate again.
-Status run_check_presses(const Path& folder,
-                         const PressInput& presses,
-                         const PressSet& press_set,
+Status run_check_presses(const Path& folder, const PressInput& presses, const PressSet& press_set,
                          Console& console);
 /// Compares images of the finger out of contact with its reference. Error: record that again.
 Status run_check_reference(const Path& finger, const std::vector<Path>& images, Console& console);
@@ -325,8 +323,7 @@ inline void set_opencv_threads([[maybe_unused]] int threads) {
                                                        const std::string& preset);
 
 /// A mapping is valid for the settings that its presses were measured with.
-void warn_of_other_settings(const PipelineSettings& stored,
-                            const PipelineSettings& requested,
+void warn_of_other_settings(const PipelineSettings& stored, const PipelineSettings& requested,
                             Console& console);
 
 // Remarks of a camera while a command reads it.

@@ -53,11 +53,8 @@ class Demo {
   }
 
   Status run() {
-    for (const auto step : {&Demo::simulate,
-                            &Demo::make_finger,
-                            &Demo::calibrate,
-                            &Demo::reconstruct,
-                            &Demo::compare}) {
+    for (const auto step : {&Demo::simulate, &Demo::make_finger, &Demo::calibrate,
+                            &Demo::reconstruct, &Demo::compare}) {
       if (console_.job().stop_requested())
         return Error{en::say("stopped before the demonstration was over"), "", ""};
       if (const Status status = (this->*step)(); !status) return status;
@@ -108,8 +105,7 @@ class Demo {
     if (const Status made = make_folder(folder("paper")); !made) return made;
     fs::copy(description.finger, contenders_.back().finger, fs::copy_options::recursive, failed);
     if (failed)
-      return Error{Message::typed(failed.message()),
-                   contenders_.back().finger.string(),
+      return Error{Message::typed(failed.message()), contenders_.back().finger.string(),
                    en::say("free space and permission")};
     return {};
   }
@@ -162,23 +158,15 @@ class Demo {
     const char* format;
   };
   static constexpr Row kRows[] = {
-      {"contact_depth_mm",
-       "depth inside contacts, mean error",
-       &Evaluation::contact_depth_mm,
+      {"contact_depth_mm", "depth inside contacts, mean error", &Evaluation::contact_depth_mm,
        "{:.4f} mm"},
-      {"contact_coverage",
-       "contact pixels that have a depth",
-       &Evaluation::contact_coverage,
+      {"contact_coverage", "contact pixels that have a depth", &Evaluation::contact_coverage,
        "{:.4f}"},
       {"false_depth_mm", "depth outside contacts, mean", &Evaluation::false_depth_mm, "{:.4f} mm"},
-      {"position_mm",
-       "position of the untouched face, median error",
-       &Evaluation::position_mm,
+      {"position_mm", "position of the untouched face, median error", &Evaluation::position_mm,
        "{:.4f} mm"},
       {"marker_seen_px", "visible markers, mean error", &Evaluation::marker_seen_px, "{:.3f} px"},
-      {"marker_hidden_px",
-       "hidden markers, mean error",
-       &Evaluation::marker_hidden_px,
+      {"marker_hidden_px", "hidden markers, mean error", &Evaluation::marker_hidden_px,
        "{:.3f} px"},
       {"time_ms", "time per frame, median", &Evaluation::time_ms, "{:.2f} ms"},
   };
@@ -201,8 +189,7 @@ class Demo {
         "calibration, on the same images.");
     console_.say(
         fmt::format("\nFinger: {}\nDepth of every frame (float TIFF, mm): {}\nThese figures: {}",
-                    contenders_.front().finger.string(),
-                    contenders_.front().results.string(),
+                    contenders_.front().finger.string(), contenders_.front().results.string(),
                     folder("report.json").string()));
   }
 
@@ -258,8 +245,7 @@ Status become_studio(const Path& finger) {
     const std::string name = studio.string(), folder = finger.string(), source = scene->string();
     execl(name.c_str(), name.c_str(), folder.c_str(), "--source", source.c_str(), nullptr);
   }
-  return Error{en::say("the Studio is not installed"),
-               (programs / "alltact-studio").string(),
+  return Error{en::say("the Studio is not installed"), (programs / "alltact-studio").string(),
                en::say("installing alltact-studio")};
 }
 
@@ -280,8 +266,7 @@ void add_demo(CLI::App& program, Chosen& chosen) {
       ->type_name("DIR")
       ->required();
   command->add_flag(
-      "--studio",
-      options->studio,
+      "--studio", options->studio,
       "Only makes and calibrates the finger, unless it exists, and opens it in the Studio");
   command->add_option("--seed", options->seed, "Seed of all random numbers (default 1)")
       ->type_name("S")

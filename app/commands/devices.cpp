@@ -61,13 +61,9 @@ Json camera_json(const FoundCamera& camera) {
 }
 
 std::string control_line(const CameraControl& control) {
-  std::string line = fmt::format("    {}: {} ({} to {} in steps of {}, default {})",
-                                 control.name,
-                                 control.value,
-                                 control.low,
-                                 control.high,
-                                 control.step,
-                                 control.default_value);
+  std::string line =
+      fmt::format("    {}: {} ({} to {} in steps of {}, default {})", control.name, control.value,
+                  control.low, control.high, control.step, control.default_value);
   for (const MenuItem& item : control.menu) line += fmt::format(", {} = {}", item.value, item.name);
   if (control.is_inactive) line += ", now set by an automatic mode";
   return line;
@@ -79,22 +75,19 @@ void say_camera(const FoundCamera& camera, bool details, Console& console) {
   const std::string state = camera.problem ? "cannot be used: " + camera.problem->sentence()
                             : best.ok()    ? best->text().english()
                                            : best.error().sentence();
-  console.say(fmt::format(
-      "camera  {} ({}, {}): {}", identity.stable_name(), identity.node, identity.name, state));
+  console.say(fmt::format("camera  {} ({}, {}): {}", identity.stable_name(), identity.node,
+                          identity.name, state));
   if (!details) return;
   for (const CameraFormat& format : camera.formats)
-    console.say(fmt::format(
-        "    {}{}", format.text(), can_decode(format.fourcc) ? "" : " (cannot be decoded)"));
+    console.say(fmt::format("    {}{}", format.text(),
+                            can_decode(format.fourcc) ? "" : " (cannot be decoded)"));
   for (const CameraControl& control : camera.controls) console.say(control_line(control));
 }
 
 void say_hid(const FoundHid& hid, Console& console) {
   const HidIdentity& identity = hid.identity;
   console.say(fmt::format(
-      "hid     {} ({}, {}): {}",
-      identity.stable_name(),
-      identity.node,
-      identity.name,
+      "hid     {} ({}, {}): {}", identity.stable_name(), identity.node, identity.name,
       hid.problem ? "cannot be used: " + hid.problem->sentence() : std::string("can be used")));
 }
 
@@ -109,8 +102,7 @@ Status learn(const std::vector<FoundHid>& hids, Console& console) {
     names.push_back(hid.identity.stable_name());
   }
   if (ports.empty())
-    return Error{en::say("there is no HID device that can be read"),
-                 "",
+    return Error{en::say("there is no HID device that can be read"), "",
                  en::say("plug in a pedal, or see above")};
   std::vector<HidPort*> listening;
   for (const auto& port : ports) listening.push_back(port.get());
@@ -154,8 +146,7 @@ void add_devices(CLI::App& program, Chosen& chosen) {
   auto options = std::make_shared<DevicesOptions>();
   CLI::App* command = add_command(program, "devices");
   command->add_flag("--details", options->details, "Lists every format and control of each camera");
-  command->add_flag("--learn-button",
-                    options->learn_button,
+  command->add_flag("--learn-button", options->learn_button,
                     "Waits for a pedal or button to be pressed twice and prints its value for "
                     "'alltact record --button'");
   command->callback(

@@ -30,22 +30,14 @@ std::string number_or_dash(const std::optional<double>& number) {
   return number ? fmt::format("{:g}", *number) : "-";
 }
 
-void print_outcome(const Experiment& experiment,
-                   const ExperimentOutcome& outcome,
-                   double seconds,
+void print_outcome(const Experiment& experiment, const ExperimentOutcome& outcome, double seconds,
                    Console& console) {
-  console.say(fmt::format("\n{}: {} ({} frames, {:.1f} s)",
-                          experiment.name,
-                          experiment.measures,
-                          outcome.frames,
-                          seconds));
+  console.say(fmt::format("\n{}: {} ({} frames, {:.1f} s)", experiment.name, experiment.measures,
+                          outcome.frames, seconds));
   for (const ExperimentFigure& figure : outcome.figures)
-    console.say(fmt::format("  {:<58} {:>9} {:>9} {:>7}  {:<7}{}",
-                            figure.what.english(),
-                            fmt::format("{:.3f}", figure.simulated),
-                            number_or_dash(figure.paper),
-                            number_or_dash(figure.aim),
-                            figure.unit,
+    console.say(fmt::format("  {:<58} {:>9} {:>9} {:>7}  {:<7}{}", figure.what.english(),
+                            fmt::format("{:.3f}", figure.simulated), number_or_dash(figure.paper),
+                            number_or_dash(figure.aim), figure.unit,
                             figure.reaches_aim() ? "" : "  misses the target"));
   for (const Message& remark : outcome.remarks) console.say(fmt::format("  {}.", remark));
 }
@@ -73,9 +65,8 @@ Console::Json json_of_maps(const std::vector<ExperimentMaps>& all) {
       const cv::Mat valid = difference.mm == difference.mm;  // false for NaN
       entry["differences"].push_back(
           {{"name", difference.name.english()},
-           {"rms_mm",
-            cv::norm(difference.mm, cv::NORM_L2, valid) /
-                std::sqrt(cv::countNonZero(valid) + 1e-9)},
+           {"rms_mm", cv::norm(difference.mm, cv::NORM_L2, valid) /
+                          std::sqrt(cv::countNonZero(valid) + 1e-9)},
            {"told_percent", 100.0 * cv::countNonZero(valid) / static_cast<double>(valid.total())}});
     }
     json.push_back(std::move(entry));
@@ -83,8 +74,7 @@ Console::Json json_of_maps(const std::vector<ExperimentMaps>& all) {
   return json;
 }
 
-Console::Json json_of_outcome(const Experiment& experiment,
-                              const ExperimentOutcome& outcome,
+Console::Json json_of_outcome(const Experiment& experiment, const ExperimentOutcome& outcome,
                               double seconds) {
   Console::Json json;
   json["experiment"] = experiment.name;
@@ -118,15 +108,13 @@ void print_finger(const ExperimentBench& bench, double seconds, Console& console
     return;
   }
   console.say(fmt::format(
-      "The shared finger was simulated and calibrated in {:.1f} s{}.\n",
-      seconds,
+      "The shared finger was simulated and calibrated in {:.1f} s{}.\n", seconds,
       bench.options().cache && !bench.cache_problem() ? " and cached for the next run" : ""));
   if (bench.cache_problem()) console.warn(bench.cache_problem()->sentence());
 }
 
 Result<ExperimentReport> run_in_folder(const std::vector<const Experiment*>& chosen,
-                                       const BenchOptions& options,
-                                       Console& console) {
+                                       const BenchOptions& options, Console& console) {
   const StopWatch making;
   const auto bench = ExperimentBench::make(options, console.job());
   if (!bench) return bench.error();
@@ -169,10 +157,8 @@ Status write_report(const ExperimentReport& report, const Path& file, Console& c
   return {};
 }
 
-Status run_and_report(const std::vector<const Experiment*>& chosen,
-                      const BenchOptions& bench,
-                      const ExperimentsOptions& options,
-                      Console& console) {
+Status run_and_report(const std::vector<const Experiment*>& chosen, const BenchOptions& bench,
+                      const ExperimentsOptions& options, Console& console) {
   const auto report = run_in_folder(chosen, bench, console);
   if (!report) return report.error();
   if (options.report) return write_report(*report, *options.report, console);
@@ -228,33 +214,28 @@ void add_experiments(CLI::App& program, Chosen& chosen) {
   std::string names;
   for (const Experiment& experiment : experiments())
     names += (names.empty() ? "" : ", ") + experiment.name;
-  command->add_option("NAME",
-                      options->names,
+  command->add_option("NAME", options->names,
                       fmt::format("Names of the experiments to run (default all): {}", names));
   CLI::Option* output =
       command
-          ->add_option("-o,--output",
-                       *folder,
+          ->add_option("-o,--output", *folder,
                        "Folder for experiments.json and the simulated fingers (default: not saved)")
           ->type_name("DIR");
   auto report = std::make_shared<Path>();
   CLI::Option* pages =
       command
           ->add_option(
-              "--report",
-              *report,
+              "--report", *report,
               "Writes a report with plots, ours next to the paper's: FILE.html and FILE.pdf")
           ->type_name("FILE.html");
-  command->add_flag("--fresh",
-                    options->fresh,
+  command->add_flag("--fresh", options->fresh,
                     "Simulates the fingers again and does not cache them (default: cached in "
                     "alltact/fingers of $XDG_CACHE_HOME or ~/.cache)");
   command->add_option("--seed", options->seed, "Seed of all random numbers (default 1)")
       ->type_name("S")
       ->transform(typed_integer(0));
   command
-      ->add_option("--threads",
-                   options->threads,
+      ->add_option("--threads", options->threads,
                    "Number of threads (1 to 64; default 2); the figures do not depend on it")
       ->type_name("N")
       ->transform(typed_integer(1, 64));

@@ -41,12 +41,11 @@ void add_export(CLI::App& program, Chosen& chosen) {
   CLI::App* command = add_command(program, "export");
   command->add_option("FINGER", options->finger, "The finger's folder")->required();
   command
-      ->add_option("--to",
-                   *words,
+      ->add_option("--to", *words,
                    "Formats, with commas: " + words_with(", ",
                                                          [](const ExportFormInfo& info) {
-                                                           return fmt::format(
-                                                               "{} ({})", info.word, info.files);
+                                                           return fmt::format("{} ({})", info.word,
+                                                                              info.files);
                                                          }))
       ->type_name("LIST")
       ->delimiter(',')
@@ -56,8 +55,7 @@ void add_export(CLI::App& program, Chosen& chosen) {
           [](const std::string& word) {
             return export_form_from(word)
                        ? std::string()
-                       : fmt::format("{} is not one of {}",
-                                     word,
+                       : fmt::format("{} is not one of {}", word,
                                      words_with(", ", [](const ExportFormInfo& info) {
                                        return std::string(info.word);
                                      }));

@@ -32,20 +32,12 @@ void print_comparison(const TrainedForce& trained, Console& console) {
   const std::size_t width = 8 * static_cast<std::size_t>(axes);
   console.say(
       fmt::format("{:<10}{:<{}}   {:<{}}   {}", "", head, width, head, width, "shuffled forces"));
-  console.say(fmt::format("{:<10} {:<{}}   {:<{}}   {}",
-                          "",
-                          "full groups",
-                          width - 1,
-                          "frames: biased",
-                          width - 1,
-                          "R2"));
+  console.say(fmt::format("{:<10} {:<{}}   {:<{}}   {}", "", "full groups", width - 1,
+                          "frames: biased", width - 1, "R2"));
   Console::Json rows = Console::Json::array();
   for (const ForceComparison& row : trained.comparison) {
-    console.say(fmt::format("{:<10}{}   {}   {:>8.3f}{}",
-                            to_string(row.kind),
-                            newtons(row.mae_N),
-                            newtons(row.random_mae_N),
-                            row.shuffled_r2.value_or(0),
+    console.say(fmt::format("{:<10}{}   {}   {:>8.3f}{}", to_string(row.kind), newtons(row.mae_N),
+                            newtons(row.random_mae_N), row.shuffled_r2.value_or(0),
                             row.kind == trained.model.kind ? "   selected" : ""));
     Console::Json entry{{"model", to_string(row.kind)},
                         {"mae_n", json_of(row.mae_N)},
@@ -68,8 +60,7 @@ void print_training(const TrainedForce& trained, Console& console) {
   };
   console.say(
       fmt::format("The 90 % intervals contain {} % of the held-out rows, the 95 % intervals {} %.",
-                  percent(trained.covered_90),
-                  percent(trained.covered_95)));
+                  percent(trained.covered_90), percent(trained.covered_95)));
   console.say(
       fmt::format("The noise of the gauge is at most{} N.", newtons(trained.label_noise_N)));
   for (const Message& remark : trained.remarks) console.say(remark.english());
@@ -89,8 +80,7 @@ Result<Path> gauge_file_of(const ForceOptions& options) {
   const Path log_file = gauge_log_of(options.recording.front());
   std::error_code ignored;
   if (options.recording.size() == 1 && std::filesystem::exists(log_file, ignored)) return log_file;
-  return Error{en::say("there are no readings of a gauge beside the recording"),
-               log_file,
+  return Error{en::say("there are no readings of a gauge beside the recording"), log_file,
                en::say("--gauge FILE, or alltact record --gauge")};
 }
 
@@ -121,9 +111,7 @@ Status run_collect_force(const ForceOptions& options, Console& console) {
   if (const Status saved = write_file_atomically(options.output, collected->table.to_csv()); !saved)
     return saved;
   console.say(fmt::format("{} rows in {}; {} of {} frames have no gauge reading.",
-                          collected->table.rows(),
-                          options.output.string(),
-                          collected->left_out,
+                          collected->table.rows(), options.output.string(), collected->left_out,
                           collected->frames));
   Console::Json& answer = console.answer();
   answer["rows"] = collected->table.rows();
@@ -193,27 +181,23 @@ void add_force(CLI::App& program, Chosen& chosen) {
   CLI::App* command = add_command(program, "force");
   command->add_option("FINGER", options->finger, "The finger's folder")->required();
   CLI::Option* table = command->add_option(
-      "TABLE",
-      options->tables,
+      "TABLE", options->tables,
       "CSV table, or several of the same finger, with columns u0, v0, u1, ... (px), fx_n and fy_n; "
       "optional: fz_n, seen0, ..., along_mm, across_mm, t_s, block, day, indenter");
   auto split = std::make_shared<std::string>(), kind = std::make_shared<std::string>();
   command
       ->add_option(
-          "--split",
-          *split,
+          "--split", *split,
           "Groups of rows that are held out together: block, day, indenter; random holds out "
           "single frames and underestimates the error (default block; with --again as before)")
       ->check(CLI::IsMember({"block", "day", "indenter", "random"}));
   command
-      ->add_option("--model",
-                   *kind,
+      ->add_option("--model", *kind,
                    "Model to store: auto (the simplest that no other beats), mean, ridge, "
                    "quadratic, network (default auto; with --again as before)")
       ->check(CLI::IsMember({"auto", "mean", "ridge", "quadratic", "network"}));
   command
-      ->add_option("--creep-s",
-                   options->creep_s,
+      ->add_option("--creep-s", options->creep_s,
                    "Creep as an input: displacements minus their running mean over this time in s, "
                    "0: none (default none; with --again as before)")
       ->transform(typed_number(0.0, 1e5));
@@ -222,14 +206,12 @@ void add_force(CLI::App& program, Chosen& chosen) {
   CLI::Option* undo = command->add_flag(
       "--undo", options->undo, "Restores the previous force model; given again, reverts this");
   CLI::Option* collect = command
-                             ->add_option("--collect",
-                                          options->recording,
+                             ->add_option("--collect", options->recording,
                                           "Makes a table instead, from a recording, images, or "
                                           "results.jsonl of alltact reconstruct")
                              ->type_name("RECORDING");
   CLI::Option* gauge = command->add_option(
-      "--gauge",
-      options->gauge,
+      "--gauge", options->gauge,
       "With --collect: gauge CSV with t_s or frame, fx_n, fy_n (or force_n alone), or truth.json "
       "of alltact simulate (default: RECORDING's NAME.gauge.csv)");
   gauge->type_name("FILE");

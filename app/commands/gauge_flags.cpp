@@ -26,8 +26,7 @@ GaugeDirections checked_direction(const std::string& text) {
 void add_gauge_flags(CLI::App& command, GaugeChoice& gauge) {
   CLI::Option* chosen =
       command
-          .add_option("--gauge",
-                      gauge.gauge,
+          .add_option("--gauge", gauge.gauge,
                       "Force gauge to record into NAME.gauge.csv: typed (a number and Enter while "
                       "the finger rests; 'y 1.2 N' along y; 'block NAME'; an empty line when it "
                       "moves again), serial:/dev/ttyUSB0, or hid:DEVICE")
@@ -35,42 +34,32 @@ void add_gauge_flags(CLI::App& command, GaugeChoice& gauge) {
   const auto add = [&](const char* flag, auto& value, const char* sentence, const char* type) {
     return command.add_option(flag, value, sentence)->type_name(type)->needs(chosen);
   };
-  add("--gauge-model",
-      gauge.model,
+  add("--gauge-model", gauge.model,
       "Model of a serial gauge: the speed, request and answers that its maker sets",
       "mark10|imada|sauter")
       ->check(CLI::IsMember({"mark10", "imada", "sauter"}));
   add("--gauge-baud", gauge.baud, "Speed of a serial gauge, 8N1 (default 9600)", "BAUD")
       ->check(CLI::IsMember(serial_speeds()))
       ->transform(typed_integer(1));
-  add("--gauge-ask",
-      gauge.ask,
+  add("--gauge-ask", gauge.ask,
       "Request to a serial gauge for each reading, such as '?\\r' (default: it sends by itself)",
       "TEXT");
-  add("--gauge-every-s",
-      gauge.ask_every_s,
-      "Interval between requests to a serial gauge, s (default 0.05)",
-      "S")
+  add("--gauge-every-s", gauge.ask_every_s,
+      "Interval between requests to a serial gauge, s (default 0.05)", "S")
       ->transform(typed_number(0.001, 60.0));
-  add("--gauge-report",
-      gauge.report,
+  add("--gauge-report", gauge.report,
       "Position of the force in the reports of a HID gauge, as 'id=3 at=1 type=s16 scale=0.01 "
       "unit=N', or a CSV with at, type, scale, zero, unit",
       "TEXT|FILE");
-  add("--gauge-unit",
-      gauge.unit,
-      "Unit of readings that name none: N, mN, kN, g, kgf, lbf, ozf",
+  add("--gauge-unit", gauge.unit, "Unit of readings that name none: N, mN, kN, g, kgf, lbf, ozf",
       "UNIT");
-  add("--gauge-direction",
-      gauge.direction,
+  add("--gauge-direction", gauge.direction,
       "Direction of a push on the gauge in the table's axes: x, -y, 0.6,0.8,0; for several values "
       "x/y/z (default: x, or the axes in their order)",
       "DIRECTION");
 }
 
-void add_gauge_file_flags(CLI::App& command,
-                          CLI::Option* collect,
-                          GaugeFileOptions& file,
+void add_gauge_file_flags(CLI::App& command, CLI::Option* collect, GaugeFileOptions& file,
                           CollectOptions& options) {
   command
       .add_option_function<std::string>(
@@ -91,8 +80,7 @@ void add_gauge_file_flags(CLI::App& command,
       ->type_name("DIRECTION")
       ->needs(collect);
   command
-      .add_option("--gauge-shift-s",
-                  options.shift_s,
+      .add_option("--gauge-shift-s", options.shift_s,
                   "With --collect: gauge clock minus frame clock at the first frame, s (default: "
                   "from the markers' motion)")
       ->type_name("S")
@@ -100,8 +88,7 @@ void add_gauge_file_flags(CLI::App& command,
       ->needs(collect);
   command
       .add_option_function<double>(
-          "--gauge-drift-ppm",
-          [&options](double ppm) { options.drift = 1e-6 * ppm; },
+          "--gauge-drift-ppm", [&options](double ppm) { options.drift = 1e-6 * ppm; },
           "With --collect: drift of the gauge clock, ppm, positive if it is faster (default: from "
           "the markers' motion, where the clocks differ)")
       ->type_name("PPM")
@@ -121,9 +108,7 @@ void print_gauge(GaugeLog* gauge, Console& console) {
   for (const Message& remark : gauge->take_remarks()) console.warn(remark.english());
 }
 
-Status end_gauge(GaugeLog* gauge,
-                 const std::filesystem::path& video,
-                 Console::Json& answer,
+Status end_gauge(GaugeLog* gauge, const std::filesystem::path& video, Console::Json& answer,
                  Console& console) {
   if (gauge == nullptr) return {};
   const auto counts = gauge->end();

@@ -14,9 +14,7 @@ namespace alltact {
 void add_gauge_flags(CLI::App& command, GaugeChoice& gauge);
 
 /// For a gauge's file; `collect` is the flag that they go with.
-void add_gauge_file_flags(CLI::App& command,
-                          CLI::Option* collect,
-                          GaugeFileOptions& file,
+void add_gauge_file_flags(CLI::App& command, CLI::Option* collect, GaugeFileOptions& file,
                           CollectOptions& options);
 
 /// Null where no gauge is chosen. Errors: those of gauge_opener and of opening it.
@@ -26,9 +24,7 @@ void add_gauge_file_flags(CLI::App& command,
 void print_gauge(GaugeLog* gauge, Console& console);
 
 /// Completes the file next to `video` and prints its content.
-[[nodiscard]] Status end_gauge(GaugeLog* gauge,
-                               const std::filesystem::path& video,
-                               Console::Json& answer,
-                               Console& console);
+[[nodiscard]] Status end_gauge(GaugeLog* gauge, const std::filesystem::path& video,
+                               Console::Json& answer, Console& console);
 
 }  // namespace alltact

@@ -19,37 +19,28 @@ namespace {
 
 constexpr double kDegPerRad = 180.0 / M_PI;
 
-Console::Json vector_json(const Eigen::Vector3d& v) {
-  return {v.x(), v.y(), v.z()};
-}
+Console::Json vector_json(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
 void print_linkages(const Gripper& gripper, Console& console) {
   const GripperMotor& motor = gripper.motor;
   Console::Json& answer = console.answer();
   answer["gripper"] = gripper.name;
   answer["range_turns"] = {motor.first_turns, motor.last_turns};
-  console.say(fmt::format("{}: motor from {:g} to {:g} turns, screw lead {:g} mm",
-                          gripper.name,
-                          motor.first_turns,
-                          motor.last_turns,
-                          motor.lead_mm));
+  console.say(fmt::format("{}: motor from {:g} to {:g} turns, screw lead {:g} mm", gripper.name,
+                          motor.first_turns, motor.last_turns, motor.lead_mm));
   Console::Json fingers = Console::Json::array();
   for (std::size_t i = 0; i < 2; ++i) {
     const auto linkage = Linkage::create(gripper.fingers[i].linkage, motor.lead_mm);
     if (!linkage) continue;  // a loaded gripper is valid
     const MotorReach reach = linkage->reach_around(0.5 * (motor.first_turns + motor.last_turns));
     console.say(fmt::format("{:<12} closes from {:.4g} turns ({}) to {:.4g} ({})",
-                            gripper.fingers[i].name,
-                            reach.first.motor_turns,
-                            to_message(reach.first.kind),
-                            reach.last.motor_turns,
+                            gripper.fingers[i].name, reach.first.motor_turns,
+                            to_message(reach.first.kind), reach.last.motor_turns,
                             to_message(reach.last.kind)));
     Console::Json dead = Console::Json::array();
     for (const DeadPoint& point : gripper.dead_points_in_range(i)) {
       console.say(fmt::format("{:<12} has a dead point at {:.4g} turns: {}",
-                              gripper.fingers[i].name,
-                              point.motor_turns,
-                              to_message(point.kind)));
+                              gripper.fingers[i].name, point.motor_turns, to_message(point.kind)));
       dead.push_back(point.motor_turns);
     }
     fingers.push_back({{"finger", gripper.fingers[i].name},
@@ -74,22 +65,15 @@ void print_pose(const Gripper& gripper, const GripperPose& pose, Console& consol
     if (finger.angle_sd_rad) {
       one["crank_deg_per_turn"] = finger.angle.rad_per_turn * kDegPerRad;
       one["crank_sd_deg"] = *finger.angle_sd_rad * kDegPerRad;
-      angle_text = fmt::format("{:.3f} deg per turn, sd {:.3f} deg",
-                               finger.angle.rad_per_turn * kDegPerRad,
-                               *finger.angle_sd_rad * kDegPerRad);
+      angle_text =
+          fmt::format("{:.3f} deg per turn, sd {:.3f} deg", finger.angle.rad_per_turn * kDegPerRad,
+                      *finger.angle_sd_rad * kDegPerRad);
     }
     console.say(
         fmt::format("{:<12} position {:.3f} {:.3f} {:.3f} mm, rotation {:.3f} {:.3f} {:.3f} deg "
                     "about x, y, z; crank at {:.3f} deg, {}",
-                    gripper.fingers[i].name,
-                    at.x(),
-                    at.y(),
-                    at.z(),
-                    turns.x(),
-                    turns.y(),
-                    turns.z(),
-                    finger.angle.rad * kDegPerRad,
-                    angle_text));
+                    gripper.fingers[i].name, at.x(), at.y(), at.z(), turns.x(), turns.y(),
+                    turns.z(), finger.angle.rad * kDegPerRad, angle_text));
     one["gripper_from_camera"] = {{"translation_mm", vector_json(at)},
                                   {"rotation", {turn.w(), turn.x(), turn.y(), turn.z()}}};
     fingers.push_back(std::move(one));
@@ -105,28 +89,22 @@ std::string with_sd(double value, const std::optional<double>& sd, const char* u
             : fmt::format("{:.3f} {}", value, unit);
 }
 
-void put_width(const GripperPose& pose,
-               const std::array<ObservedContact, 2>& contacts,
-               Console::Json& entry,
-               std::string& line) {
+void put_width(const GripperPose& pose, const std::array<ObservedContact, 2>& contacts,
+               Console::Json& entry, std::string& line) {
   const HeldWidth width = held_width(pose, contacts);
   line += fmt::format("; width {}", with_sd(width.mm, width.sd_mm, "mm"));
   entry["width_mm"] = width.mm;
   if (width.sd_mm) entry["width_sd_mm"] = *width.sd_mm;
 }
 
-void put_turns(const Gripper& gripper,
-               const GripperPose& pose,
-               const std::array<const RecordedContacts*, 2>& seen,
-               const Eigen::Vector3d& up,
-               Console::Json& entry,
-               std::string& line) {
+void put_turns(const Gripper& gripper, const GripperPose& pose,
+               const std::array<const RecordedContacts*, 2>& seen, const Eigen::Vector3d& up,
+               Console::Json& entry, std::string& line) {
   std::array<std::optional<UprightTurn>, 2> turns;
   for (std::size_t i = 0; i < 2; ++i) {
     if (seen[i]->contact) turns[i] = upright_turn_deg(pose, i, *seen[i]->contact, up);
     if (!turns[i]) continue;
-    line += fmt::format("; upright turn from {}: {}",
-                        gripper.fingers[i].name,
+    line += fmt::format("; upright turn from {}: {}", gripper.fingers[i].name,
                         with_sd(turns[i]->deg, turns[i]->sd_deg, "deg"));
     entry["turns"].push_back({{"finger", gripper.fingers[i].name},
                               {"deg", turns[i]->deg},
@@ -136,8 +114,7 @@ void put_turns(const Gripper& gripper,
   const auto joint = joint_turn(*turns[0], *turns[1]);
   if (!joint) return;
   line += fmt::format(
-      "; upright turn from both: {}{}",
-      with_sd(joint->mean.deg, joint->mean.sd_deg, "deg"),
+      "; upright turn from both: {}{}", with_sd(joint->mean.deg, joint->mean.sd_deg, "deg"),
       joint->agree ? "" : fmt::format(", but they differ by {:.1f} deg", joint->difference_deg));
   entry["turn_deg"] = joint->mean.deg;
   entry["turn_sd_deg"] = joint->mean.sd_deg;
@@ -155,16 +132,13 @@ Result<std::optional<cv::Mat>> stored_points(const Path& results, const std::str
   auto points = read_float_image(file);
   if (!points) return points.error();
   if (points->type() != CV_32FC3)
-    return Error{en::say("holds no points: three numbers a pixel are needed"),
-                 file,
+    return Error{en::say("holds no points: three numbers a pixel are needed"), file,
                  en::say("alltact reconstruct with --format points")};
   return std::optional<cv::Mat>(std::move(*points));
 }
 
-Status put_gap(const GripperPose& pose,
-               const std::array<Path, 2>& files,
-               const std::array<const RecordedContacts*, 2>& seen,
-               Console::Json& entry,
+Status put_gap(const GripperPose& pose, const std::array<Path, 2>& files,
+               const std::array<const RecordedContacts*, 2>& seen, Console::Json& entry,
                std::string& line) {
   std::array<GapFace, 2> faces;
   for (std::size_t i = 0; i < 2; ++i) {
@@ -185,8 +159,7 @@ Status put_gap(const GripperPose& pose,
 
 void print_unpaired(const Gripper& gripper,
                     const std::array<std::vector<RecordedContacts>, 2>& seen,
-                    const PairedFrames& paired,
-                    Console& console) {
+                    const PairedFrames& paired, Console& console) {
   Console::Json unpaired = Console::Json::object();
   for (std::size_t i = 0; i < 2; ++i) {
     const auto& alone = i == 0 ? paired.unpaired_first : paired.unpaired_second;
@@ -199,9 +172,7 @@ void print_unpaired(const Gripper& gripper,
     }
     if (!alone.empty())
       console.warn(fmt::format("Without a frame of the same time: {} frames of {}: {}{}",
-                               alone.size(),
-                               gripper.fingers[i].name,
-                               words,
+                               alone.size(), gripper.fingers[i].name, words,
                                alone.size() > kShown ? ", ..." : ""));
     unpaired[gripper.fingers[i].name] = std::move(names);
   }
@@ -233,10 +204,8 @@ class RecordedPose {
   std::optional<MotorLog> log_;
 };
 
-Status print_recorded(const Gripper& gripper,
-                      const RecordedPose& pose_of,
-                      const GripperOptions& options,
-                      Console& console) {
+Status print_recorded(const Gripper& gripper, const RecordedPose& pose_of,
+                      const GripperOptions& options, Console& console) {
   const std::array<Path, 2> files{options.results[0], options.results[1]};
   std::array<std::vector<RecordedContacts>, 2> seen;
   for (std::size_t i = 0; i < 2; ++i) {
@@ -295,8 +264,7 @@ Status run_gripper(const GripperOptions& options, Console& console) {
   if (!(options.up.tail<2>().norm() > 0.17 * options.up.norm()))
     return Error{en::say("the way up lies along x, the direction in which the fingers close: no "
                          "turn about it brings an object upright"),
-                 std::string("--up"),
-                 en::say("a direction across it, for example 0 0 -1")};
+                 std::string("--up"), en::say("a direction across it, for example 0 0 -1")};
   print_linkages(*gripper, console);
   std::optional<MotorLog> log;
   if (options.motor_log) {
@@ -310,8 +278,8 @@ Status run_gripper(const GripperOptions& options, Console& console) {
     print_pose(*gripper, *pose, console);
   }
   if (options.results.empty()) return {};
-  return print_recorded(
-      *gripper, RecordedPose(*gripper, options, std::move(log)), options, console);
+  return print_recorded(*gripper, RecordedPose(*gripper, options, std::move(log)), options,
+                        console);
 }
 
 void add_gripper(CLI::App& program, Chosen& chosen) {
@@ -321,46 +289,41 @@ void add_gripper(CLI::App& program, Chosen& chosen) {
   command->add_option("GRIPPER", options->gripper, "gripper.yaml, or its folder")->required();
   CLI::Option* motor =
       command
-          ->add_option("--motor",
-                       options->motor_turns,
+          ->add_option("--motor", options->motor_turns,
                        "Motor position, turns; gives the poses of both cameras in the gripper")
           ->type_name("M")
           ->transform(typed_number(-1e6, 1e6));
   CLI::Option* sd =
       command
           ->add_option(
-              "--motor-sd",
-              options->motor_sd_turns,
+              "--motor-sd", options->motor_sd_turns,
               "Standard deviation of the motor position, turns (default: that of gripper.yaml)")
           ->type_name("S")
           ->transform(typed_number(0.0, 1000.0));
   CLI::Option* results =
       command
-          ->add_option("--results",
-                       options->results,
+          ->add_option("--results", options->results,
                        "results.jsonl of both fingers, in the order of gripper.yaml. For frames of "
                        "the same time: gap of the faces (needs NAME.points.tiff), width of the "
                        "held object, and the turn that brings it upright")
           ->type_name("FIRST SECOND")
           ->expected(2);
   CLI::Option* log = command
-                         ->add_option("--motor-log",
-                                      options->motor_log,
+                         ->add_option("--motor-log", options->motor_log,
                                       "Motor positions during that recording: a CSV file of "
                                       "time_ns,turns on the clock of the frames")
                          ->type_name("FILE")
                          ->needs(results)
                          ->excludes(motor);
   command
-      ->add_option("--tolerance-ms",
-                   options->tolerance_ms,
+      ->add_option("--tolerance-ms", options->tolerance_ms,
                    "Maximum time between two paired frames, ms (default 20)")
       ->type_name("T")
       ->transform(typed_number(0.0, 1e6))
       ->needs(results);
   command
-      ->add_option(
-          "--up", *up, "Up direction in the gripper's frame (default 0 0 -1: it points downwards)")
+      ->add_option("--up", *up,
+                   "Up direction in the gripper's frame (default 0 0 -1: it points downwards)")
       ->type_name("X Y Z")
       ->transform(typed_number(-1e6, 1e6))
       ->expected(3)

@@ -11,16 +11,12 @@ namespace alltact {
 namespace {
 
 void print_views(const LensViews& found, const LensCalibration& done, Console& console) {
-  console.say(fmt::format(
-      "{:<24} {:>7} {:>9} {:>9} {:>9}", "view", "corners", "outliers", "error px", "tilt deg"));
+  console.say(fmt::format("{:<24} {:>7} {:>9} {:>9} {:>9}", "view", "corners", "outliers",
+                          "error px", "tilt deg"));
   for (const LensViewReport& view : done.views) {
     if (!view.rejection.empty()) continue;
-    console.say(fmt::format("{:<24} {:>7} {:>9} {:>9.3f} {:>9.0f}",
-                            view.name,
-                            view.corners,
-                            view.left_out,
-                            view.error_px,
-                            view.tilt_deg));
+    console.say(fmt::format("{:<24} {:>7} {:>9} {:>9.3f} {:>9.0f}", view.name, view.corners,
+                            view.left_out, view.error_px, view.tilt_deg));
   }
   for (const auto& [name, reason] : found.refused)
     console.warn(fmt::format("No board: {}: {}", name.english(), reason));
@@ -31,37 +27,24 @@ void print_views(const LensViews& found, const LensCalibration& done, Console& c
 
 void print_lens(const LensCalibration& done, const LensSettings& settings, Console& console) {
   const CameraParameters& lens = done.fit.lens;
-  console.say(
-      fmt::format("Lens: {}, {} x {} px, fx {:.2f} +- {:.2f}, fy {:.2f} +- {:.2f}, centre "
-                  "({:.2f} +- {:.2f}, {:.2f} +- {:.2f}) px",
-                  to_string(lens.model),
-                  lens.width_px,
-                  lens.height_px,
-                  lens.fx_px,
-                  done.fit.sd(0),
-                  lens.fy_px,
-                  done.fit.sd(1),
-                  lens.cx_px,
-                  done.fit.sd(2),
-                  lens.cy_px,
-                  done.fit.sd(3)));
+  console.say(fmt::format(
+      "Lens: {}, {} x {} px, fx {:.2f} +- {:.2f}, fy {:.2f} +- {:.2f}, centre "
+      "({:.2f} +- {:.2f}, {:.2f} +- {:.2f}) px",
+      to_string(lens.model), lens.width_px, lens.height_px, lens.fx_px, done.fit.sd(0), lens.fy_px,
+      done.fit.sd(1), lens.cx_px, done.fit.sd(2), lens.cy_px, done.fit.sd(3)));
   std::string errors = fmt::format("Corner error: {:.3f} px in fitted views", done.fit.sigma_px);
   if (done.held_out)
     errors += fmt::format(", {:.3f} px in held-out views", done.held_out->error_px);
   if (done.halves)
     errors += fmt::format(
         "; lenses from two halves of the views differ by {:.2f} px (median), {:.2f} px (maximum)",
-        done.halves->median_px,
-        done.halves->worst_px);
+        done.halves->median_px, done.halves->worst_px);
   console.say(errors);
   console.say(fmt::format("At the finger: uncertainty {:.2g} mm at a distance of {:g} mm",
-                          done.verdict.error_mm,
-                          settings.distance_mm));
+                          done.verdict.error_mm, settings.distance_mm));
   console.say(
       fmt::format("Coverage: {:.0f} % of the image, {} of {} views tilted by 15 degrees or more",
-                  100 * done.coverage.seen_part,
-                  done.coverage.tilted_views,
-                  done.used.size()));
+                  100 * done.coverage.seen_part, done.coverage.tilted_views, done.used.size()));
 }
 
 Console::Json views_json(const LensViews& found, const LensCalibration& done) {
@@ -127,8 +110,7 @@ void answer(const LensViews& found, const LensCalibration& done, Console::Json& 
 }
 
 /// The camera to write: the lens, and the window in front of it.
-Result<CameraParameters> seen_through(const LensOptions& options,
-                                      const CameraParameters& lens,
+Result<CameraParameters> seen_through(const LensOptions& options, const CameraParameters& lens,
                                       Console& console) {
   if (!options.port) {
     console.warn(
@@ -156,10 +138,7 @@ Result<CameraParameters> seen_through(const LensOptions& options,
       fmt::format("Window: refraction is computed exactly; a point {:g} mm from the lens appears "
                   "at {:.1f} mm. A gap error of 1 mm moves the finger by {:.2f} mm, an index error "
                   "of 0.01 behind the window by {:.2f} mm",
-                  distance,
-                  seems_mm,
-                  by_gap_mm,
-                  by_index_mm));
+                  distance, seems_mm, by_gap_mm, by_index_mm));
   console.answer()["port"] = {{"seems_mm", seems_mm},
                               {"air_depth_part", seems_mm / distance},
                               {"mm_per_gap_mm", by_gap_mm},
@@ -168,8 +147,7 @@ Result<CameraParameters> seen_through(const LensOptions& options,
 }
 
 /// Compares a length on the finger, measured with a caliper, with this camera's measurement.
-Status check_scale(const LensOptions& options,
-                   const CameraParameters& parameters,
+Status check_scale(const LensOptions& options, const CameraParameters& parameters,
                    Console& console) {
   if (!options.known_length_mm) return {};
   const auto camera = Camera::create(parameters);
@@ -185,9 +163,7 @@ Status check_scale(const LensOptions& options,
   const double seen_mm = (a->point_at(z_mm) - b->point_at(z_mm)).norm();
   const double ratio = seen_mm / *options.known_length_mm;
   std::string text = fmt::format("Scale: a length of {:g} mm at {:g} mm is measured as {:.2f} mm",
-                                 *options.known_length_mm,
-                                 options.settings.distance_mm,
-                                 seen_mm);
+                                 *options.known_length_mm, options.settings.distance_mm, seen_mm);
   constexpr double kAgrees = 0.03;  // 1 mm of 60 in the distance is 2 % already
   if (std::abs(ratio - 1) <= kAgrees) {
     text += fmt::format(", {:+.1f} %: lens and finger agree", 100 * (ratio - 1));
@@ -195,9 +171,7 @@ Status check_scale(const LensOptions& options,
     text += fmt::format(
         ", {:.2f} times too large, as through a medium with an index of about {:.2f}. Depths would "
         "come out {:.0f} % too small; {}",
-        ratio,
-        ratio,
-        100 * (1 - 1 / ratio),
+        ratio, ratio, 100 * (1 - 1 / ratio),
         options.port ? "check the numbers of --port, the distance and the ends"
                      : "give --port with what lies between lens and finger");
   } else {
@@ -220,8 +194,7 @@ Status run_lens(const LensOptions& options, Console& console) {
   const auto source = open_source(options.inputs, how);
   if (!source) return source.error();
   if ((*source)->is_live())
-    return Error{en::say("a camera gives pictures without end"),
-                 "",
+    return Error{en::say("a camera gives pictures without end"), "",
                  en::say("a recording of it: alltact record")};
   Board board = options.board;
   board.pattern = options.settings.pattern;
@@ -235,10 +208,8 @@ Status run_lens(const LensOptions& options, Console& console) {
       console.warn(fmt::format("No board: {}: {}", name.english(), reason));
     return done.error();
   }
-  console.say(fmt::format("Board of {} found in {} of {} images, {} used",
-                          board.words(),
-                          found->analysed - found->refused.size(),
-                          found->analysed,
+  console.say(fmt::format("Board of {} found in {} of {} images, {} used", board.words(),
+                          found->analysed - found->refused.size(), found->analysed,
                           done->used.size()));
   if (found->repeats > 0)
     console.say(fmt::format("{} more images repeat a position of the board", found->repeats));
@@ -286,8 +257,7 @@ void add_lens(CLI::App& program, Chosen& chosen) {
       ->type_name("CxR")
       ->required();
   command
-      ->add_option("--square-mm",
-                   options->board.square_mm,
+      ->add_option("--square-mm", options->board.square_mm,
                    "Side of a square, or distance between two dots, mm")
       ->type_name("S")
       ->transform(typed_number(kBoardSquare))
@@ -309,14 +279,12 @@ void add_lens(CLI::App& program, Chosen& chosen) {
       ->type_name("none|flip_u|flip_v|rotate_180|rotate_90|rotate_270");
   command
       ->add_option_function<std::string>(
-          "--port",
-          [port](const std::string& text) { *port = four_numbers("--port", text); },
+          "--port", [port](const std::string& text) { *port = four_numbers("--port", text); },
           "Window between lens and finger, if the board was in air: air gap mm, plate mm, index of "
           "the plate (acrylic 1.49), index behind it (silicone 1.41)")
       ->type_name("GAP,PLATE,INDEX,INDEX");
   CLI::Option* length = command
-                            ->add_option("--known-length-mm",
-                                         options->known_length_mm,
+                            ->add_option("--known-length-mm", options->known_length_mm,
                                          "Known length on the finger, across the line of sight at "
                                          "--distance-mm, to check the scale, mm")
                             ->type_name("L")

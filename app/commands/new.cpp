@@ -19,8 +19,7 @@ Status run_new(const NewFinger& options, Console& console) {
   if (!finger) return finger.error();
   const Path file = options.finger / Finger::kFileName;
   console.say(
-      fmt::format("{} made. Next: {}",
-                  file.string(),
+      fmt::format("{} made. Next: {}", file.string(),
                   options.kind == FaceKind::kFlat
                       ? "alltact calibrate with ball presses and --reference"
                       : "alltact reference with a recording of the bending, untouched finger"));
@@ -34,8 +33,8 @@ void add_new(CLI::App& program, Chosen& chosen) {
   CLI::App* command = add_command(program, "new");
   command->add_option("FINGER", options->finger, "New folder")->required();
   command
-      ->add_option(
-          "--camera", options->camera, "YAML file with the camera, as under `camera:` in a finger")
+      ->add_option("--camera", options->camera,
+                   "YAML file with the camera, as under `camera:` in a finger")
       ->type_name("CAMERA.yaml")
       ->required();
   command->add_option("--layer-mm", options->layer_mm, "Thickness of the translucent layer, mm")
@@ -45,21 +44,18 @@ void add_new(CLI::App& program, Chosen& chosen) {
   const std::map<std::string, FaceKind> kinds{{"fin_ray", FaceKind::kFinRay},
                                               {"flat", FaceKind::kFlat}};
   command
-      ->add_option("--kind",
-                   options->kind,
+      ->add_option("--kind", options->kind,
                    "Kind of finger: fin_ray, its shape estimated from the two edges of the face; "
                    "flat, a rigid sensor (default fin_ray)")
       ->type_name("fin_ray|flat")
       ->transform(CLI::Transformer(kinds));
   CLI::Option* width = command
-                           ->add_option("--width-mm",
-                                        options->width_mm,
+                           ->add_option("--width-mm", options->width_mm,
                                         "Distance between the two edges of the view face, mm")
                            ->type_name("W")
                            ->transform(typed_number(kFaceWidth));
   CLI::Option* per_row = command
-                             ->add_option("--per-row",
-                                          options->per_row,
+                             ->add_option("--per-row", options->per_row,
                                           "Number of engraved dots on each side face; 0: none, "
                                           "poses are estimated from the shape of the face")
                              ->type_name("N")
@@ -67,16 +63,14 @@ void add_new(CLI::App& program, Chosen& chosen) {
   const std::map<std::string, Polarity> polarities{
       {"auto", Polarity::kAuto}, {"bright", Polarity::kBright}, {"dark", Polarity::kDark}};
   command
-      ->add_option("--polarity",
-                   options->polarity,
+      ->add_option("--polarity", options->polarity,
                    "Brightness of the dots against their surroundings; auto: from the reference "
                    "recording (default auto)")
       ->type_name("auto|bright|dark")
       ->transform(CLI::Transformer(polarities));
   CLI::Option* plane =
       command
-          ->add_option("--plane-z-mm",
-                       options->plane_z_mm,
+          ->add_option("--plane-z-mm", options->plane_z_mm,
                        "Distance of the view face of a flat sensor, mm (default 0)")
           ->type_name("Z")
           ->transform(typed_number(-kPlaneDistance.possible.high, kPlaneDistance.possible.high));
@@ -85,8 +79,7 @@ void add_new(CLI::App& program, Chosen& chosen) {
   auto gripper = std::make_shared<std::vector<double>>();
   CLI::Option* in_gripper =
       command
-          ->add_option("--gripper-from-camera",
-                       *gripper,
+          ->add_option("--gripper-from-camera", *gripper,
                        "Pose of the camera in the gripper: position in mm, and rotations about the "
                        "gripper's axes x, then y, then z, in degrees")
           ->type_name("X Y Z RX RY RZ")

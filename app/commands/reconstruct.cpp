@@ -70,12 +70,8 @@ FrameLine failed(const std::string& name, std::size_t index, const Error& proble
 void add_depth_steps(std::string& line, const std::string& name, const std::string& where) {
   const std::size_t at = line.rfind(",\"times_ms\":");
   assert(at != std::string::npos);
-  line.insert(at,
-              fmt::format(",\"{}\":{{{},\"mm_per_step\":{},\"zero_at\":{},\"none\":0}}",
-                          name,
-                          where,
-                          kDepthStep_mm,
-                          kDepthZero));
+  line.insert(at, fmt::format(",\"{}\":{{{},\"mm_per_step\":{},\"zero_at\":{},\"none\":0}}", name,
+                              where, kDepthStep_mm, kDepthZero));
 }
 
 Result<ResultFiles> ResultFiles::create(const ReconstructOptions& options) {
@@ -96,8 +92,8 @@ Path ResultFiles::file(const FrameResult& result, const std::string& ending) con
 Result<FrameLine> ResultFiles::write(BatchFrame& frame, const Pipeline& pipeline) const {
   if (!frame.result) {
     const Error problem = frame.problem.value_or(Error());
-    return failed(
-        frame.frame ? frame.frame->name : frame_name(problem, frame.index), frame.index, problem);
+    return failed(frame.frame ? frame.frame->name : frame_name(problem, frame.index), frame.index,
+                  problem);
   }
   const FrameResult& result = *frame.result;
   FrameLine line;
@@ -202,8 +198,7 @@ class RecordedDepth {
 };
 
 Result<std::unique_ptr<RecordedDepth>> RecordedDepth::create(const ReconstructOptions& options,
-                                                             cv::Size size,
-                                                             double frames_per_s) {
+                                                             cv::Size size, double frames_per_s) {
   const std::string name = options.part ? part_video(*options.part) : std::string(kDepthVideoFile);
   auto video = DepthVideoWriter::create(options.folder / name, size, frames_per_s);
   if (!video) return video.error();
@@ -230,8 +225,7 @@ Status RecordedDepth::compress(const BatchFrame& frame, FrameLine& line) {
   if (!packet) return packet.error();
   line.depth_packet = std::move(*packet);
   if (has_depth)
-    add_depth_steps(line.line,
-                    "depth_video",
+    add_depth_steps(line.line, "depth_video",
                     fmt::format("\"file\":\"{}\",\"picture\":{}", kDepthVideoFile, frame.index));
   const std::lock_guard lock(lock_);
   idle_.push_back(std::move(*packets));
@@ -243,15 +237,9 @@ Status RecordedDepth::compress(const BatchFrame& frame, FrameLine& line) {
 std::string name_of_run(const ReconstructOptions& options, std::size_t frame_count) {
   std::string all = fmt::format("{} {} {}", ALLTACT_VERSION, options.as_paper, frame_count);
   for (const Path& input : options.inputs) all += " " + input.filename().string();
-  for (const bool is_requested : {options.depth,
-                                  options.depth16,
-                                  options.depth_video,
-                                  options.depth_sd,
-                                  options.sd_causes,
-                                  options.flags,
-                                  options.limits,
-                                  options.points,
-                                  options.image})
+  for (const bool is_requested :
+       {options.depth, options.depth16, options.depth_video, options.depth_sd, options.sd_causes,
+        options.flags, options.limits, options.points, options.image})
     all += is_requested ? '1' : '0';
   for (const std::string& kind : options.surfaces) all += " " + kind;
   for (const auto& setting : pipeline_settings())
@@ -264,23 +252,20 @@ std::string name_of_run(const ReconstructOptions& options, std::size_t frame_cou
 
 /// The requested frames. Error: a part of a source without a known number of frames, or of one that
 /// cannot be split.
-Result<BatchFrames> requested_frames(const ReconstructOptions& options,
-                                     const Source& source,
+Result<BatchFrames> requested_frames(const ReconstructOptions& options, const Source& source,
                                      const Pipeline& pipeline) {
   if (!options.part) return BatchFrames{};
   const auto count = source.count();
   if (!count)
     return Error{en::say("only recordings can be reconstructed in parts"),
-                 options.inputs.front().string(),
-                 en::say("record it first")};
+                 options.inputs.front().string(), en::say("record it first")};
   if (pipeline.has_long_memory())
     return Error{options.as_paper
                      ? en::say("the source paper's method follows the markers through all frames, "
                                "so that no part can be measured by itself")
                      : en::say("the finger's force model knows creep, which depends on all frames "
                                "before, so that no part can be measured by itself"),
-                 options.finger.string(),
-                 en::say("without --shard")};
+                 options.finger.string(), en::say("without --shard")};
   return frames_of(*options.part, *count);
 }
 
@@ -294,10 +279,8 @@ struct Progress {
 };
 
 /// A live frame's line, or the line with the reason why there is none.
-std::string live_line(const Result<FramePtr>& frame,
-                      Pipeline& pipeline,
-                      const ReconstructOptions& options,
-                      Progress& progress) {
+std::string live_line(const Result<FramePtr>& frame, Pipeline& pipeline,
+                      const ReconstructOptions& options, Progress& progress) {
   const std::string name = frame ? (*frame)->name : frame_name(frame.error(), progress.index);
   Error problem;
   if (frame) {
@@ -316,10 +299,8 @@ std::string live_line(const Result<FramePtr>& frame,
 
 /// One line a frame on standard output until the source ends or somebody stops it. Frames that come
 /// faster than they are measured are skipped.
-Status reconstruct_live(std::unique_ptr<Source> source,
-                        Pipeline& pipeline,
-                        const ReconstructOptions& options,
-                        Console& console) {
+Status reconstruct_live(std::unique_ptr<Source> source, Pipeline& pipeline,
+                        const ReconstructOptions& options, Console& console) {
   CameraRemarks remarks(*source);
   NewestSource newest(std::move(source));
   Progress progress;
@@ -338,9 +319,7 @@ Status reconstruct_live(std::unique_ptr<Source> source,
     if (!status) return status;
   }
   console.warn(fmt::format("{} frames, {} of them without depth; {} skipped to keep up.",
-                           progress.index,
-                           progress.failed,
-                           newest.skipped()));
+                           progress.index, progress.failed, newest.skipped()));
   return {};
 }
 
@@ -355,11 +334,8 @@ int threads_of(int requested) {
 Status print_summary(const Progress& progress, const Path& results, Console& console) {
   const std::size_t done = progress.index - progress.failed;
   const double mean_ms = done > 0 ? progress.total_ms / static_cast<double>(done) : 0.0;
-  console.say(fmt::format("{} of {} frames reconstructed, {:.1f} ms each; results in {}",
-                          done,
-                          progress.index,
-                          mean_ms,
-                          results.parent_path().string()));
+  console.say(fmt::format("{} of {} frames reconstructed, {:.1f} ms each; results in {}", done,
+                          progress.index, mean_ms, results.parent_path().string()));
   Console::Json& answer = console.answer();
   answer["frames"] = progress.index;
   answer["failed"] = progress.failed;
@@ -370,18 +346,15 @@ Status print_summary(const Progress& progress, const Path& results, Console& con
     return Error{
         en::say(
             "{} of {} frames could not be reconstructed; each is named above and in results.jsonl",
-            progress.failed,
-            progress.index),
-        "",
-        ""};
+            progress.failed, progress.index),
+        "", ""};
   }
   return {};
 }
 
 /// One pipeline for each thread. They share the large data (ReferenceLibrary::load).
 Result<std::vector<Pipeline>> make_pipelines(const FingerSnapshot& finger,
-                                             const ReconstructOptions& options,
-                                             const Job& job) {
+                                             const ReconstructOptions& options, const Job& job) {
   // 3D images are drawn by one thread.
   const int thread_count = options.image || options.live ? 1 : threads_of(options.threads);
   std::vector<Pipeline> pipelines;
@@ -395,12 +368,9 @@ Result<std::vector<Pipeline>> make_pipelines(const FingerSnapshot& finger,
   return pipelines;
 }
 
-Status reconstruct_all(Source& source,
-                       std::vector<Pipeline>& pipelines,
-                       const ReconstructOptions& options,
-                       const BatchFrames& frames,
-                       Progress& progress,
-                       Console& console) {
+Status reconstruct_all(Source& source, std::vector<Pipeline>& pipelines,
+                       const ReconstructOptions& options, const BatchFrames& frames,
+                       Progress& progress, Console& console) {
   const auto files = ResultFiles::create(options);
   if (!files) return files.error();
   std::unique_ptr<RecordedDepth> video;
@@ -418,8 +388,7 @@ Status reconstruct_all(Source& source,
   work.inspect = [&](BatchFrame& frame) {
     if (frame.frame && !names.insert(frame.frame->name).second)
       frame.problem = Error{en::say("another image is called '{}' as well", frame.frame->name),
-                            frame.frame->origin,
-                            en::say("giving the images different names")};
+                            frame.frame->origin, en::say("giving the images different names")};
   };
   work.write = [&](BatchFrame& frame, const Pipeline& pipeline) -> Result<FrameLine> {
     auto line = files->write(frame, pipeline);
@@ -451,8 +420,7 @@ Status reconstruct_all(Source& source,
 
 Status run_reconstruct(const ReconstructOptions& options, Console& console) {
   if (options.live && console.json())
-    return Error{en::say("--live gives a line of JSON for each frame already"),
-                 "",
+    return Error{en::say("--live gives a line of JSON for each frame already"), "",
                  en::say("without --json")};
   // Each thread has frames of its own.
   set_opencv_threads(options.live ? threads_of(options.threads) : 1);
@@ -485,12 +453,8 @@ Status run_reconstruct(const ReconstructOptions& options, Console& console) {
   const Path results =
       options.folder / (options.part ? part_file(*options.part) : std::string("results.jsonl"));
   status = options.part ? write_part(options.folder,
-                                     {*options.part,
-                                      name_of_run(options, count),
-                                      frames->first,
-                                      count,
-                                      is_continuous,
-                                      std::move(progress.parts)})
+                                     {*options.part, name_of_run(options, count), frames->first,
+                                      count, is_continuous, std::move(progress.parts)})
                         : write_file_atomically(results, progress.lines);
   if (!status) return status;
   return print_summary(progress, results, console);
@@ -504,8 +468,8 @@ void add_reconstruct(CLI::App& program, Chosen& chosen) {
   CLI::App* command = add_command(program, "reconstruct");
   command->add_option("FINGER", options->finger, "The finger's folder")->required();
   command
-      ->add_option(
-          "INPUT", options->inputs, "Images, folders of them, a video, a scene, or a camera")
+      ->add_option("INPUT", options->inputs,
+                   "Images, folders of them, a video, a scene, or a camera")
       ->required();
   CLI::Option* output =
       command->add_option("-o,--output", options->folder, "Folder for the results")
@@ -513,15 +477,13 @@ void add_reconstruct(CLI::App& program, Chosen& chosen) {
   CLI::Option* live =
       command
           ->add_flag(
-              "--live",
-              options->live,
+              "--live", options->live,
               "Prints a line of results.jsonl for each frame instead of writing files, at the pace "
               "of the camera or recording, until Ctrl-C; skips frames that come too fast")
           ->excludes(output);
   command
       ->add_option(
-          "--format",
-          *formats,
+          "--format", *formats,
           "Files per frame, with commas: depth (float TIFF, mm), depth16 (16-bit PNG of integer "
           "micrometres: depth_mm = 0.001 (value - 10000), 0: none), depth-video (the same for all "
           "frames in one lossless file, depth.mkv: FFV1), depth_sd (standard deviation of each "
@@ -537,27 +499,16 @@ void add_reconstruct(CLI::App& program, Chosen& chosen) {
       ->delimiter(',')
       ->take_all()
       ->expected(1)
-      ->check(CLI::IsMember({"depth",
-                             "depth16",
-                             "depth-video",
-                             "depth_sd",
-                             "sd_causes",
-                             "flags",
-                             "limits",
-                             "points",
-                             "ply",
-                             "vtp",
-                             "stl",
-                             "glb"}))
+      ->check(CLI::IsMember({"depth", "depth16", "depth-video", "depth_sd", "sd_causes", "flags",
+                             "limits", "points", "ply", "vtp", "stl", "glb"}))
       ->excludes(live);
   command
-      ->add_flag("--picture",
-                 options->image,
+      ->add_flag("--picture", options->image,
                  "Adds a 3D image of the face per frame, NAME.3d.png; needs no display")
       ->excludes(live);
   command
-      ->add_option(
-          "--picture-from", options->viewpoint, "Viewpoint of the 3D images (default tilted)")
+      ->add_option("--picture-from", options->viewpoint,
+                   "Viewpoint of the 3D images (default tilted)")
       ->type_name("tilted|camera|outside|side")
       ->transform(
           CLI::CheckedTransformer(std::map<std::string, Viewpoint>{{"tilted", Viewpoint::kTilted},
@@ -565,8 +516,7 @@ void add_reconstruct(CLI::App& program, Chosen& chosen) {
                                                                    {"outside", Viewpoint::kOutside},
                                                                    {"side", Viewpoint::kSide}}));
   command
-      ->add_option("--picture-top-mm",
-                   options->scene.top_mm,
+      ->add_option("--picture-top-mm", options->scene.top_mm,
                    "Depth at the end of the colour scale of the 3D images, mm (default 1)")
       ->type_name("MM")
       ->transform(typed_number(0.1, 10.0));
@@ -583,22 +533,19 @@ void add_reconstruct(CLI::App& program, Chosen& chosen) {
       ->type_name("K/N")
       ->excludes(live);
   command
-      ->add_option("--method",
-                   *method,
+      ->add_option("--method", *method,
                    "Method: ours, or paper, the source paper's full method with its own "
                    "calibration from the stored presses (default ours)")
       ->type_name("ours|paper")
       ->check(CLI::IsMember({"ours", "paper"}));
   command
       ->add_option(
-          "--threads",
-          options->threads,
+          "--threads", options->threads,
           "Number of threads (1 to 64; default all cores); the result does not depend on it")
       ->type_name("N")
       ->transform(typed_integer(1, 64));
   command
-      ->add_option("--preset",
-                   options->preset,
+      ->add_option("--preset", options->preset,
                    "Settings to measure with: a preset that a study of this finger saved (alltact "
                    "study FINGER --save), or as calibrated (default: what the finger uses)")
       ->type_name("fast|balanced|finest|calibrated");
@@ -640,10 +587,8 @@ void add_reconstruct(CLI::App& program, Chosen& chosen) {
 Status run_merge(const std::vector<Path>& folders, Console& console) {
   const auto merged = merge_parts(folders);
   if (!merged) return merged.error();
-  console.say(fmt::format("{} frames, {} of them without depth; results in {}",
-                          merged->frames,
-                          merged->failed,
-                          merged->results.parent_path().string()));
+  console.say(fmt::format("{} frames, {} of them without depth; results in {}", merged->frames,
+                          merged->failed, merged->results.parent_path().string()));
   Console::Json& answer = console.answer();
   answer["frames"] = merged->frames;
   answer["failed"] = merged->failed;
@@ -655,8 +600,7 @@ void add_merge(CLI::App& program, Chosen& chosen) {
   auto folders = std::make_shared<std::vector<Path>>();
   CLI::App* command = add_command(program, "merge");
   command
-      ->add_option("DIR",
-                   *folders,
+      ->add_option("DIR", *folders,
                    "Folders with the parts that `alltact reconstruct --shard` wrote; the results "
                    "go into the first")
       ->required();

@@ -158,20 +158,15 @@ class Extent {
 };
 
 Message progress(const RecorderCounts& counts) {
-  return en::say("{} frames, {} lost, {:.1f} GB free",
-                 counts.recorded,
+  return en::say("{} frames, {} lost, {:.1f} GB free", counts.recorded,
                  counts.dropped + counts.missing,
                  static_cast<double>(counts.free_bytes) / kGigabyte);
 }
 
 /// From `first` (or the next frame) to the last; returns the reason of the end, for the journal.
 /// Recorder::problem() has the recorder's own reason.
-std::string record_all(SourceReader& reading,
-                       FramePtr first,
-                       Recorder& recorder,
-                       Extent& extent,
-                       GaugeLog* gauge,
-                       Console& console) {
+std::string record_all(SourceReader& reading, FramePtr first, Recorder& recorder, Extent& extent,
+                       GaugeLog* gauge, Console& console) {
   const Source& source = reading.source();
   while (true) {
     const FramePtr frame = first ? std::exchange(first, nullptr) : reading.next();
@@ -188,11 +183,8 @@ std::string record_all(SourceReader& reading,
   }
 }
 
-void print_recording(const Path& video,
-                     const RecorderCounts& counts,
-                     const Extent& extent,
-                     Console::Json& answer,
-                     Console& console) {
+void print_recording(const Path& video, const RecorderCounts& counts, const Extent& extent,
+                     Console::Json& answer, Console& console) {
   answer["video"] = video.string();
   answer["journal"] = journal_of(video).string();
   answer["frames"] = counts.recorded;
@@ -202,28 +194,20 @@ void print_recording(const Path& video,
   answer["bytes"] = counts.bytes;
   if (counts.recorded == 0) return;
   answer["codec"] = to_string(*counts.codec);
-  console.say(fmt::format("{} frames ({:.1f} s, {:.2f} GB, {}) in {}",
-                          counts.recorded,
-                          extent.seconds(),
-                          static_cast<double>(counts.bytes) / kGigabyte,
-                          to_string(*counts.codec),
-                          video.string()));
+  console.say(fmt::format("{} frames ({:.1f} s, {:.2f} GB, {}) in {}", counts.recorded,
+                          extent.seconds(), static_cast<double>(counts.bytes) / kGigabyte,
+                          to_string(*counts.codec), video.string()));
   if (counts.missing > 0)
     console.warn(fmt::format("{} frames never came from the source; the journal {} lists them.",
-                             counts.missing,
-                             journal_of(video).string()));
+                             counts.missing, journal_of(video).string()));
 }
 
 /// One complete recording.
-Status record_one(SourceReader& reading,
-                  const FramePtr& first,
-                  const Path& video,
-                  const RecordOptions& options,
-                  GaugeLog* gauge,
-                  Console::Json& answer,
+Status record_one(SourceReader& reading, const FramePtr& first, const Path& video,
+                  const RecordOptions& options, GaugeLog* gauge, Console::Json& answer,
                   Console& console) {
-  auto recorder = Recorder::start(
-      video, options.recorder, reading.source().frames_per_s(), options.inputs.front().string());
+  auto recorder = Recorder::start(video, options.recorder, reading.source().frames_per_s(),
+                                  options.inputs.front().string());
   if (!recorder) return recorder.error();
   if (gauge != nullptr)
     if (const Status begun = gauge->begin(gauge_log_of(video)); !begun) return begun;
@@ -249,8 +233,7 @@ Status record_one(SourceReader& reading,
 Status all_was_readable(const SourceReader& reading, const RecordOptions& options) {
   if (reading.unreadable() == 0 || !reading.source().count()) return {};
   return Error{en::say("{} frames could not be read; each is named above", reading.unreadable()),
-               options.inputs.front().string(),
-               ""};
+               options.inputs.front().string(), ""};
 }
 
 /// NAME-001.mkv, the first from `number` on of which nothing exists; sets `number` to the one after
@@ -282,13 +265,10 @@ FramePtr next_pressed(SourceReader& reading) {
 Status end_of_presses(const SourceReader& reading, bool is_any, const RecordOptions& options) {
   if (is_any || reading.is_stopped()) return {};
   return Error{en::say("the button was not pressed before the end: {}", reading.why()),
-               options.inputs.front().string(),
-               en::say("press it while the source runs")};
+               options.inputs.front().string(), en::say("press it while the source runs")};
 }
 
-Status record_by_button(SourceReader& reading,
-                        const RecordOptions& options,
-                        GaugeLog* gauge,
+Status record_by_button(SourceReader& reading, const RecordOptions& options, GaugeLog* gauge,
                         Console& console) {
   Console::Json& recordings = console.answer()["recordings"] = Console::Json::array();
   console.say(
@@ -336,9 +316,7 @@ Result<std::unique_ptr<Source>> lit(std::unique_ptr<Source> source, const LightO
   return std::unique_ptr<Source>(std::make_unique<LitSource>(std::move(source), dimmer->setting()));
 }
 
-bool records_images(const RecordOptions& options) {
-  return extension_of(options.output) == ".png";
-}
+bool records_images(const RecordOptions& options) { return extension_of(options.output) == ".png"; }
 
 void add_button_flag(CLI::App& command, RecordOptions& options) {
   command
@@ -358,26 +336,23 @@ void add_button_flag(CLI::App& command, RecordOptions& options) {
 
 void add_light_flags(CLI::App& command, LightOptions& light) {
   CLI::Option* device = command
-                            .add_option("--dimmer",
-                                        light.device,
+                            .add_option("--dimmer", light.device,
                                         "LED dimmer to set before recording, by a name from "
                                         "'alltact devices'; its setting is stored with every frame")
                             ->type_name("DEVICE");
   CLI::Option* control =
       command
-          .add_option("--dimmer-control",
-                      light.control,
+          .add_option("--dimmer-control", light.control,
                       "Control of the dimmer: 'mcp2221a gp2', 'mcp2221a gp3', or a report such as "
                       "'output id=0 bytes=8 at=1 range=0..255'")
           ->type_name("TEXT")
           ->needs(device);
-  CLI::Option* brightness =
-      command
-          .add_option(
-              "--brightness", light.brightness, "Brightness of the dimmer, from 0 dark to 1 full")
-          ->type_name("B")
-          ->transform(typed_number(0.0, 1.0))
-          ->needs(device);
+  CLI::Option* brightness = command
+                                .add_option("--brightness", light.brightness,
+                                            "Brightness of the dimmer, from 0 dark to 1 full")
+                                ->type_name("B")
+                                ->transform(typed_number(0.0, 1.0))
+                                ->needs(device);
   device->needs(control)->needs(brightness);
 }
 
@@ -418,8 +393,8 @@ Status run_record(const RecordOptions& options, Console& console) {
   const auto gauge = start_gauge(options.gauge);
   if (!gauge) return gauge.error();
   if (button) return record_by_button(reading, options, gauge->get(), console);
-  const Status status = record_one(
-      reading, nullptr, options.output, options, gauge->get(), console.answer(), console);
+  const Status status = record_one(reading, nullptr, options.output, options, gauge->get(),
+                                   console.answer(), console);
   console.answer()["unreadable"] = reading.unreadable();
   return status ? all_was_readable(reading, options) : status;
 }
@@ -429,14 +404,12 @@ void add_record(CLI::App& program, Chosen& chosen) {
   auto pace = std::make_shared<std::string>("recorded");
   CLI::App* command = add_command(program, "record");
   command
-      ->add_option("SOURCE",
-                   options->inputs,
+      ->add_option("SOURCE", options->inputs,
                    "Camera (by a name from 'alltact devices'), video, scene (the simulated finger, "
                    "at its camera's pace, without end), images or folders of them")
       ->required();
   command
-      ->add_option("-o,--output",
-                   options->output,
+      ->add_option("-o,--output", options->output,
                    "Video to write, NAME.mkv; NAME.frames.csv next to it describes each frame. "
                    "With --button also NAME.png")
       ->type_name("FILE")
@@ -445,21 +418,18 @@ void add_record(CLI::App& program, Chosen& chosen) {
   add_light_flags(*command, options->light);
   add_gauge_flags(*command, options->gauge);
   command
-      ->add_option("--frames",
-                   options->frames,
+      ->add_option("--frames", options->frames,
                    "Number of frames of each recording, or of images in total (default: until the "
                    "source ends)")
       ->type_name("N")
       ->transform(typed_integer(1, 1000000000));
   command
-      ->add_option("--seconds",
-                   options->seconds,
+      ->add_option("--seconds", options->seconds,
                    "Recorded time of each recording, s (default: until the source ends)")
       ->type_name("S")
       ->transform(typed_number(0.001, 1e7));
   command
-      ->add_option("--pace",
-                   *pace,
+      ->add_option("--pace", *pace,
                    "Pace of videos and scenes: recorded, as they were recorded or as a camera "
                    "sends them; asked, as fast as possible (default recorded)")
       ->type_name("recorded|asked")
@@ -469,8 +439,7 @@ void add_record(CLI::App& program, Chosen& chosen) {
       ->type_name("S")
       ->transform(typed_integer(0));
   command
-      ->add_option("--threads",
-                   options->threads,
+      ->add_option("--threads", options->threads,
                    "Number of threads that render a simulated finger (1 to 64; default 1); the "
                    "images do not depend on it")
       ->type_name("N")

@@ -12,8 +12,7 @@ namespace {
 
 Status run_flat(const ReferenceOptions& options, Console& console) {
   if (options.inputs.size() != 1) {
-    return Error{en::say("a flat sensor has one untouched picture"),
-                 options.finger.string(),
+    return Error{en::say("a flat sensor has one untouched picture"), options.finger.string(),
                  en::say("giving exactly one picture")};
   }
   const auto image = read_untouched_image(options.inputs.front());
@@ -30,9 +29,7 @@ void print_report(const ReferenceReport& report, Console& console) {
   console.say(
       fmt::format("{} of {} frames are in the reference library; the median distance to the "
                   "nearest neighbour is {:.2f} px.",
-                  report.frames_retained,
-                  report.frames_read,
-                  report.median_step_px));
+                  report.frames_retained, report.frames_read, report.median_step_px));
   constexpr std::size_t kShown = 8;
   for (std::size_t i = 0; i < report.rejected.size() && i < kShown; ++i)
     console.say(fmt::format("  left out: {}", report.rejected[i]));
@@ -47,20 +44,14 @@ void print_report(const ReferenceReport& report, Console& console) {
   if (report.repeated > 0)
     console.say(fmt::format("  {} frames repeat a stored pose and were left out", report.repeated));
   const MotionCoverage& seen = report.coverage;
-  console.say(
-      fmt::format("The tip bent by {:+.1f} to {:+.1f} mm, swayed by {:+.1f} to {:+.1f} mm and "
-                  "twisted by {:+.1f} to {:+.1f} degrees; combined bend and sway cover {:.0f} %.",
-                  seen.bend_mm().least,
-                  seen.bend_mm().most,
-                  seen.sway_mm().least,
-                  seen.sway_mm().most,
-                  seen.twist_deg().least,
-                  seen.twist_deg().most,
-                  100.0 * seen.covered()));
+  console.say(fmt::format(
+      "The tip bent by {:+.1f} to {:+.1f} mm, swayed by {:+.1f} to {:+.1f} mm and "
+      "twisted by {:+.1f} to {:+.1f} degrees; combined bend and sway cover {:.0f} %.",
+      seen.bend_mm().least, seen.bend_mm().most, seen.sway_mm().least, seen.sway_mm().most,
+      seen.twist_deg().least, seen.twist_deg().most, 100.0 * seen.covered()));
   console.say(fmt::format(
       "Depth error of its references: median {:.4f} mm, 95th percentile {:.4f} mm{}.",
-      report.error_median_mm,
-      report.error_p95_mm,
+      report.error_median_mm, report.error_p95_mm,
       report.by_own_mapping ? ""
                             : "; computed with a typical layer until the finger is calibrated"));
   for (const Message& remark : report.remarks) console.say(fmt::format("  {}", remark));
@@ -115,9 +106,7 @@ std::optional<FrameRange> frame_range(const std::string& text) {
   return range;
 }
 
-void add_ranges(CLI::App& command,
-                const char* flag,
-                const char* help,
+void add_ranges(CLI::App& command, const char* flag, const char* help,
                 const std::shared_ptr<ReferenceOptions>& options,
                 std::vector<FrameRange> ReferenceChoices::*ranges) {
   command
@@ -160,34 +149,25 @@ void add_reference(CLI::App& program, Chosen& chosen) {
         ->transform(typed_number(0.1, 100.0))
         ->capture_default_str();
   };
-  need("--bend-mm",
-       options->choices.need.bend_mm,
+  need("--bend-mm", options->choices.need.bend_mm,
        "Bend of the tip in a grasp, to and from the camera, mm; motion that the recording lacks is "
        "reported");
   need("--sway-mm", options->choices.need.sway_mm, "Sway of the tip in a grasp, to each side, mm");
-  need("--twist-deg",
-       options->choices.need.twist_deg,
+  need("--twist-deg", options->choices.need.twist_deg,
        "Twist of the tip in a grasp, in each direction, degrees");
   command
-      ->add_option("--rest-frame",
-                   options->choices.rest_frame,
+      ->add_option("--rest-frame", options->choices.rest_frame,
                    "Frame of the recording that shows the finger at rest, counted from 0 (default: "
                    "the middle of all poses)")
       ->type_name("N")
       ->transform(typed_integer(0, std::numeric_limits<int>::max()));
   add_ranges(
-      *command,
-      "--keep-frames",
+      *command, "--keep-frames",
       "Frames to use as untouched, whatever the analysis finds: 12-40, or several with commas",
-      options,
-      &ReferenceChoices::keep);
-  add_ranges(*command,
-             "--leave-out-frames",
-             "Frames to leave out: 12-40, or several with commas",
-             options,
-             &ReferenceChoices::leave_out);
-  command->add_flag("--skin-changed",
-                    options->choices.skin_was_changed,
+      options, &ReferenceChoices::keep);
+  add_ranges(*command, "--leave-out-frames", "Frames to leave out: 12-40, or several with commas",
+             options, &ReferenceChoices::leave_out);
+  command->add_flag("--skin-changed", options->choices.skin_was_changed,
                     "States that the skin was cleaned, painted or replaced since the earlier "
                     "reference, which then cannot reveal contacts");
   command->callback([=, &chosen] {

@@ -39,9 +39,7 @@ std::string text_of(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-StreamMessage of_frame(const Frame& frame,
-                       const std::string& line,
-                       const FingerSnapshot& finger,
+StreamMessage of_frame(const Frame& frame, const std::string& line, const FingerSnapshot& finger,
                        StreamPartSet requested) {
   assert(line.ends_with('}'));
   StreamMessage message;
@@ -65,8 +63,7 @@ Json parts_json() {
   return parts;
 }
 
-StreamMessage finger_message(const FingerSnapshot& finger,
-                             const Pipeline& pipeline,
+StreamMessage finger_message(const FingerSnapshot& finger, const Pipeline& pipeline,
                              const ServedSource& source) {
   const CameraParameters& camera = pipeline.finger().camera;
   Json json;
@@ -95,10 +92,8 @@ StreamMessage finger_message(const FingerSnapshot& finger,
 
 /// `line`: of results.jsonl, to which finger_revision is added. Only the requested parts are made,
 /// as far as the frame has them.
-StreamMessage frame_message(const FrameResult& result,
-                            const std::string& line,
-                            const FingerSnapshot& finger,
-                            StreamPartSet requested) {
+StreamMessage frame_message(const FrameResult& result, const std::string& line,
+                            const FingerSnapshot& finger, StreamPartSet requested) {
   StreamMessage message = of_frame(*result.frame, line, finger, requested);
   if (requested[kImage]) message.parts[kImage] = result.grey;
   if (!result.depth) return message;
@@ -111,10 +106,8 @@ StreamMessage frame_message(const FrameResult& result,
 }
 
 /// For a frame that could not be measured: the image as it came.
-StreamMessage unmeasured_message(const Frame& frame,
-                                 const std::string& line,
-                                 const FingerSnapshot& finger,
-                                 StreamPartSet requested) {
+StreamMessage unmeasured_message(const Frame& frame, const std::string& line,
+                                 const FingerSnapshot& finger, StreamPartSet requested) {
   StreamMessage message = of_frame(frame, line, finger, requested);
   if (requested[kImage]) message.parts[kImage] = frame.grey;
   return message;
@@ -148,11 +141,8 @@ WatchedFinger::MakePipeline pipeline_maker(const ServeOptions& options) {
 /// Measures the newest frame again and again, for all clients.
 class Serving {
  public:
-  Serving(WatchedFinger& finger,
-          std::unique_ptr<Source> source,
-          const ServedSource& about,
-          StreamServer& server,
-          Console& console)
+  Serving(WatchedFinger& finger, std::unique_ptr<Source> source, const ServedSource& about,
+          StreamServer& server, Console& console)
       : finger_(finger),
         about_(about),
         remarks_(*source),
@@ -200,8 +190,7 @@ class Serving {
       failed_ += result->depth ? 0 : 1;
       server_.publish(frame_message(*result,
                                     result_line(*result, index_, pipeline.settings().reference),
-                                    finger,
-                                    server_.requested()));
+                                    finger, server_.requested()));
     } else {
       ++failed_;
       const std::string line = failure_line(frame->name, index_, {as_sentence(result.error())});
@@ -263,25 +252,19 @@ Status run_serve(const ServeOptions& options, Console& console) {
   if (!source) return source.error();
   auto finger = WatchedFinger::open(options.finger, pipeline_maker(options), console.job());
   if (!finger) return finger.error();
-  const ServedSource about{options.inputs.front().string(),
-                           (*source)->frames_per_s(),
+  const ServedSource about{options.inputs.front().string(), (*source)->frames_per_s(),
                            dynamic_cast<CameraSource*>(source->get()) != nullptr};
   console.say(fmt::format(
       "Serving {} at {}, to programs of this user on this computer only. Ctrl-C ends it.",
-      (*snapshot)->finger.name,
-      (*server)->path().string()));
+      (*snapshot)->finger.name, (*server)->path().string()));
   Serving serving(**finger, std::move(*source), about, **server, console);
   const Message reason = serving.run();
   (*server)->end(end_json(reason));
   const StreamCounts counts = (*server)->counts();
-  console.say(
-      fmt::format("{} frames, {} of them without depth; {} skipped to keep up; {} programs served, "
-                  "which were too slow for {} frames.",
-                  serving.measured(),
-                  serving.failed(),
-                  serving.skipped(),
-                  counts.served,
-                  counts.lost));
+  console.say(fmt::format(
+      "{} frames, {} of them without depth; {} skipped to keep up; {} programs served, "
+      "which were too slow for {} frames.",
+      serving.measured(), serving.failed(), serving.skipped(), counts.served, counts.lost));
   Console::Json& answer = console.answer();
   answer["socket"] = (*server)->path().string();
   answer["frames"] = serving.measured();
@@ -298,26 +281,23 @@ void add_serve(CLI::App& program, Chosen& chosen) {
   auto preset = std::make_shared<std::string>();
   CLI::App* command = add_command(program, "serve");
   CLI::Option* finger = command->add_option("FINGER", options->finger, "The finger's folder");
-  CLI::Option* inputs = command->add_option(
-      "SOURCE", options->inputs, "Camera, video, images or a folder of them, or scene");
+  CLI::Option* inputs = command->add_option("SOURCE", options->inputs,
+                                            "Camera, video, images or a folder of them, or scene");
   CLI::Option* socket =
       command
-          ->add_option("--socket",
-                       options->socket,
+          ->add_option("--socket", options->socket,
                        "Unix socket where programs connect, in a folder that is yours alone "
                        "(default alltact/NAME.sock in $XDG_RUNTIME_DIR)")
           ->type_name("PATH");
   CLI::Option* preset_flag =
       command
           ->add_option(
-              "--preset",
-              *preset,
+              "--preset", *preset,
               "Settings to measure with: a preset that a study of this finger saved (alltact study "
               "FINGER --save), or as calibrated (default: what the finger uses)")
           ->type_name("fast|balanced|finest|calibrated");
   CLI::Option* schema = command->add_flag(
-      "--schema",
-      options->schema,
+      "--schema", options->schema,
       "Prints what a program sends and receives instead, for people or (--json) programs");
   for (CLI::Option* option : {finger, inputs, socket, preset_flag}) option->excludes(schema);
   SettingFlags<PipelineSettings> pipeline;

@@ -21,9 +21,7 @@ constexpr const char* kTruthFile = "truth.json";
 constexpr const char* kVideoFile = "frames.mkv";
 constexpr int kTimedFrames = 15;
 
-std::string frame_name(int frame) {
-  return fmt::format("frame_{:05}", frame);
-}
+std::string frame_name(int frame) { return fmt::format("frame_{:05}", frame); }
 
 bool is_own_output(const std::string& name) {
   return name.starts_with("frame_") || name == kVideoFile || name == kTruthFile;
@@ -41,8 +39,7 @@ Status prepare_folder(const Path& folder) {
     if (!earlier) {
       return Error{en::say("it holds {}, which is not of an earlier simulation",
                            entry.path().filename().string()),
-                   folder.string(),
-                   en::say("another folder")};
+                   folder.string(), en::say("another folder")};
     }
     old.push_back(entry.path());
   }
@@ -57,8 +54,8 @@ std::string camera_yaml(const CameraParameters& camera) {
 }
 
 std::string new_command(const Finger& finger, const Path& camera_file) {
-  std::string text = fmt::format(
-      "alltact new FINGER --camera {} --layer-mm {}", camera_file.string(), finger.face.layer_mm);
+  std::string text = fmt::format("alltact new FINGER --camera {} --layer-mm {}",
+                                 camera_file.string(), finger.face.layer_mm);
   if (finger.face.kind == FaceKind::kFlat)
     return text + fmt::format(" --kind flat --plane-z-mm {}", finger.face.plane_z_mm);
   return text +
@@ -81,8 +78,8 @@ Console::Json finger_json(const Finger& finger) {
 
 /// One line for each effect, in the order they run.
 void explain(const Scene& scene, const Plan& plan, Console& console) {
-  console.say(fmt::format(
-      "{}: {} frames, {:g} per second.", scene.name, plan.frame_count(), plan.frames_per_s()));
+  console.say(fmt::format("{}: {} frames, {:g} per second.", scene.name, plan.frame_count(),
+                          plan.frames_per_s()));
   console.say(scene.why);
   Console::Json& answer = console.answer();
   answer["scene"] = scene.name;
@@ -92,12 +89,8 @@ void explain(const Scene& scene, const Plan& plan, Console& console) {
   Console::Json& effects = answer["effects"] = Console::Json::array();
   for (const Plan::Entry& entry : plan.entries()) {
     const std::string sentence = entry.sentence.english();
-    console.say(fmt::format("{:<14} frames {} to {}{}{}",
-                            entry.name,
-                            entry.first,
-                            entry.last,
-                            sentence.empty() ? "" : ": ",
-                            sentence));
+    console.say(fmt::format("{:<14} frames {} to {}{}{}", entry.name, entry.first, entry.last,
+                            sentence.empty() ? "" : ": ", sentence));
     effects.push_back(
         {{"name", entry.name}, {"first", entry.first}, {"last", entry.last}, {"what", sentence}});
   }
@@ -124,12 +117,8 @@ Status write_truth_maps(const Path& folder, const std::string& name, const Truth
 
 /// Renders every frame that arrives, passes it to `take`, writes its truth and adds it to `frames`.
 template <class Take>
-Status render_all(const SimulateOptions& options,
-                  const Plan& plan,
-                  int count,
-                  Console::Json& frames,
-                  Console& console,
-                  Take take) {
+Status render_all(const SimulateOptions& options, const Plan& plan, int count,
+                  Console::Json& frames, Console& console, Take take) {
   for (int frame = 0; frame < count; ++frame) {
     if (console.job().stop_requested())
       return Error{en::say("stopped before all frames were rendered"), "", ""};
@@ -153,12 +142,8 @@ Status render_all(const SimulateOptions& options,
   return {};
 }
 
-Status write_video(const SimulateOptions& options,
-                   const Plan& plan,
-                   int count,
-                   Console::Json& frames,
-                   Console& console,
-                   const Path& file) {
+Status write_video(const SimulateOptions& options, const Plan& plan, int count,
+                   Console::Json& frames, Console& console, const Path& file) {
   std::optional<VideoWriter> writer;
   const auto take = [&](const std::string& name, const cv::Mat& image) -> Status {
     Frame frame;
@@ -188,8 +173,7 @@ Status run_simulate(const SimulateOptions& options, Console& console) {
   const int count = options.frames.value_or(plan->frame_count());
   if (count > plan->frame_count()) {
     return Error{en::say("the scene has {} frames, not {}", plan->frame_count(), count),
-                 options.scene.string(),
-                 en::say("fewer --frames, or more frames in the scene")};
+                 options.scene.string(), en::say("fewer --frames, or more frames in the scene")};
   }
   if (const Status status = prepare_folder(options.folder); !status) return status;
 
@@ -205,10 +189,10 @@ Status run_simulate(const SimulateOptions& options, Console& console) {
       return write_video(options, *plan, count, frames, console, temporary);
     });
   } else {
-    status = render_all(
-        options, *plan, count, frames, console, [&](const std::string& name, const cv::Mat& image) {
-          return write_image(options.folder / (name + ".png"), image);
-        });
+    status = render_all(options, *plan, count, frames, console,
+                        [&](const std::string& name, const cv::Mat& image) {
+                          return write_image(options.folder / (name + ".png"), image);
+                        });
   }
   if (!status) return status;
   const Path camera_file = options.folder / "camera.yaml";
@@ -217,10 +201,8 @@ Status run_simulate(const SimulateOptions& options, Console& console) {
   status = write_file_atomically(options.folder / kTruthFile, truth.dump(1) + "\n");
   if (!status) return status;
 
-  console.say(fmt::format("{} frames of '{}' in {}, with the truth next to them.",
-                          frames.size(),
-                          scene->name,
-                          options.folder.string()));
+  console.say(fmt::format("{} frames of '{}' in {}, with the truth next to them.", frames.size(),
+                          scene->name, options.folder.string()));
   console.say("Command for its finger: " + new_command(plan->finger(), camera_file));
   console.answer()["frames"] = frames.size();
   console.answer()["folder"] = options.folder.string();
@@ -255,15 +237,13 @@ void add_simulate(CLI::App& program, Chosen& chosen) {
       "--costs", options->costs, "Measures the time of every effect on this computer instead");
   CLI::Option* scene = command->add_option(
       "SCENE", *inputs, "Scene file (YAML); with --fit, images of the pressed ball");
-  CLI::Option* output =
-      command
-          ->add_option(
-              "-o,--output", options->folder, "Folder for the frames; with --fit, the scene file")
-          ->type_name("DIR");
+  CLI::Option* output = command
+                            ->add_option("-o,--output", options->folder,
+                                         "Folder for the frames; with --fit, the scene file")
+                            ->type_name("DIR");
   CLI::Option* effects =
       command
-          ->add_option("--effects",
-                       options->effect,
+          ->add_option("--effects", options->effect,
                        "Lists all effects instead, or the parameters and an example of one")
           ->type_name("[NAME]")
           ->expected(0, 1)
@@ -272,31 +252,27 @@ void add_simulate(CLI::App& program, Chosen& chosen) {
   CLI::Option* frames =
       command
           ->add_option(
-              "--frames",
-              options->frames,
+              "--frames", options->frames,
               fmt::format("Frames to render, from the first (default: all of the scene); with "
                           "--costs, frames to time with and without each effect (default: {})",
                           kTimedFrames))
           ->type_name("N")
           ->transform(typed_integer(1, 1000000));
-  CLI::Option* seed =
-      command
-          ->add_option(
-              "--seed", options->seed, "Seed of all random numbers, 0 to 2^64 - 1 (default 1)")
-          ->type_name("S")
-          ->transform(typed_integer(0));
+  CLI::Option* seed = command
+                          ->add_option("--seed", options->seed,
+                                       "Seed of all random numbers, 0 to 2^64 - 1 (default 1)")
+                          ->type_name("S")
+                          ->transform(typed_integer(0));
   CLI::Option* video = command->add_flag(
       "--video", options->video, "Writes one lossless video, frames.mkv, instead of images");
   CLI::Option* maps =
-      command->add_flag("--maps",
-                        options->maps,
+      command->add_flag("--maps", options->maps,
                         "Adds the truth of every pixel: contact (.contact.png, 1 + its number), "
                         "normals and the light without presses (.normal.tiff, .untouched.tiff), "
                         "and what is visible (.seen.png: 1 face, 2 side, 3 dot, 4 hidden dot)");
   CLI::Option* explained =
       command
-          ->add_flag("--explain",
-                     options->explain,
+          ->add_flag("--explain", options->explain,
                      "Only lists which effects are built, in which frames, and why; without -o")
           ->excludes(output)
           ->excludes(costs)
@@ -304,23 +280,20 @@ void add_simulate(CLI::App& program, Chosen& chosen) {
   add_threads_flag(*command, options->threads);
   CLI::Option* fitted =
       command
-          ->add_option("--fit",
-                       fit->finger,
+          ->add_option("--fit", fit->finger,
                        "Writes the scene of a twin instead, whose images match those of this "
                        "finger: the given presses, or the stored ones")
           ->type_name("FINGER");
   for (CLI::Option* option : {costs, effects, frames, seed, video, maps, explained})
     option->excludes(fitted);
   command
-      ->add_option("--ball-radius-mm",
-                   fit->ball_radius_mm,
+      ->add_option("--ball-radius-mm", fit->ball_radius_mm,
                    "With --fit: radius of the ball, mm (default: the stored radius)")
       ->type_name("R")
       ->transform(typed_number(kBallRadius))
       ->needs(fitted);
   command
-      ->add_option("--reference",
-                   fit->untouched,
+      ->add_option("--reference", fit->untouched,
                    "With --fit: untouched image, if the finger has none stored; a second one of "
                    "the same pose gives the camera's temporal noise")
       ->type_name("IMAGE")
@@ -357,12 +330,9 @@ void add_simulate(CLI::App& program, Chosen& chosen) {
 namespace {
 
 Console::Json effect_json(const EffectDescription& effect) {
-  Console::Json json{{"name", effect.kind->name},
-                     {"stage", to_string(effect.kind->stage)},
-                     {"what", effect.sentence.english()},
-                     {"several", effect.is_repeatable},
-                     {"needs", effect.kind->needs},
-                     {"example", effect.kind->example}};
+  Console::Json json{{"name", effect.kind->name},         {"stage", to_string(effect.kind->stage)},
+                     {"what", effect.sentence.english()}, {"several", effect.is_repeatable},
+                     {"needs", effect.kind->needs},       {"example", effect.kind->example}};
   Console::Json& parameters = json["parameters"] = Console::Json::array();
   for (const EffectParameter& parameter : effect.parameters)
     parameters.push_back({{"key", parameter.key},
@@ -379,12 +349,10 @@ void say_effect(const EffectDescription& effect, Console& console) {
   if (!kind.needs.empty())
     console.say(fmt::format("The example also needs: {}.", fmt::join(kind.needs, ", ")));
   for (const EffectParameter& parameter : effect.parameters)
-    console.say(fmt::format("  {:<16} {}{}",
-                            parameter.key,
-                            parameter.values,
+    console.say(fmt::format("  {:<16} {}{}", parameter.key, parameter.values,
                             parameter.in_example ? "" : "; optional"));
-  console.say(fmt::format(
-      "  - {{use: {}{}{}}}", kind.name, kind.example.empty() ? "" : ", ", kind.example));
+  console.say(fmt::format("  - {{use: {}{}{}}}", kind.name, kind.example.empty() ? "" : ", ",
+                          kind.example));
 }
 
 }  // namespace
@@ -394,9 +362,7 @@ Status run_simulate_effects(const std::string& name, Console& console) {
   if (name.empty()) {
     Console::Json& list = console.answer()["effects"] = Console::Json::array();
     for (const EffectDescription& effect : effects) {
-      console.say(fmt::format("{:<20} {:<10} {}",
-                              effect.kind->name,
-                              to_string(effect.kind->stage),
+      console.say(fmt::format("{:<20} {:<10} {}", effect.kind->name, to_string(effect.kind->stage),
                               effect.sentence.english()));
       list.push_back(effect_json(effect));
     }
@@ -454,9 +420,7 @@ Console::Json residuals_json(const std::vector<TwinResidual>& residuals) {
 void print_figures(const Twin& twin, Console& console) {
   console.say(fmt::format("{:<52} {:>12} {:>10}", "what", "fitted", "+- sd"));
   for (const TwinFigure& figure : twin.figures)
-    console.say(fmt::format("{:<52} {:>12.5g} {:>10}{}",
-                            figure.what.english(),
-                            figure.value,
+    console.say(fmt::format("{:<52} {:>12.5g} {:>10}{}", figure.what.english(), figure.value,
                             figure.sd ? fmt::format("{:.2g}", *figure.sd) : "-",
                             figure.remark.empty() ? "" : "  " + figure.remark.english()));
 }
@@ -465,20 +429,11 @@ void print_residuals(const Twin& twin, Console& console) {
   console.say("");
   console.say("Difference between the images of the twin and the real ones, grey levels RMS:");
   console.say(fmt::format("untouched face {:.2f}", twin.untouched_rms));
-  console.say(fmt::format("{:<24} {:>10} {:>8} {:>8} {:>12} {:>12}",
-                          "press",
-                          "within px",
-                          "pixels",
-                          "rings",
-                          "pixels*",
-                          "rings*"));
+  console.say(fmt::format("{:<24} {:>10} {:>8} {:>8} {:>12} {:>12}", "press", "within px", "pixels",
+                          "rings", "pixels*", "rings*"));
   for (const TwinResidual& one : twin.residuals)
-    console.say(fmt::format("{:<24} {:>10.0f} {:>8.2f} {:>8.2f} {:>12.2f} {:>12.2f}",
-                            one.press,
-                            one.reach_px,
-                            one.rms,
-                            one.profile_rms,
-                            one.ratio_rms,
+    console.say(fmt::format("{:<24} {:>10.0f} {:>8.2f} {:>8.2f} {:>12.2f} {:>12.2f}", one.press,
+                            one.reach_px, one.rms, one.profile_rms, one.ratio_rms,
                             one.ratio_profile_rms));
   console.say(
       "* real image divided by the real untouched image, times the twin's untouched image: without "

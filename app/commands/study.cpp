@@ -42,10 +42,8 @@ struct StudyFiles {
 /// Writes study.json (with `provenance`), study.csv and study.svg into the folder, and prints it.
 /// Also study.png and study.pdf where this computer has the library that draws. Error: a file
 /// cannot be written.
-[[nodiscard]] Status write_study(const StudyFiles& files,
-                                 const Console::Json& provenance,
-                                 const Path& folder,
-                                 Console& console);
+[[nodiscard]] Status write_study(const StudyFiles& files, const Console::Json& provenance,
+                                 const Path& folder, Console& console);
 
 constexpr int kQuickSceneFrames = 4, kSceneFrames = 12;
 constexpr const char* kDefaultScene = "demo_presses";
@@ -60,10 +58,8 @@ Result<Path> scene_file(const std::vector<Path>& named) {
 }
 
 /// The figure, also as PNG and PDF where this computer has the library that draws.
-Status add_figures(const std::string& svg,
-                   const Console::Json& provenance,
-                   std::vector<ReportFile>& all,
-                   Console& console) {
+Status add_figures(const std::string& svg, const Console::Json& provenance,
+                   std::vector<ReportFile>& all, Console& console) {
   all.push_back({"study.svg", svg});
   const auto drawing = load_figures();
   if (!drawing) {
@@ -78,23 +74,19 @@ Status add_figures(const std::string& svg,
 
 /// Prints a study and stores it; `name` is of its folder below the given one.
 template <class Study>
-Status publish_study(const Study& study,
-                     const std::string& svg,
-                     const std::string& name,
-                     const StudyCommandOptions& options,
-                     Console& console) {
+Status publish_study(const Study& study, const std::string& svg, const std::string& name,
+                     const StudyCommandOptions& options, Console& console) {
   console.say(text_of(study));
   console.answer()["studies"].push_back(Console::Json::parse(json_of(study).dump()));
   if (!options.folder) return {};
   const Path folder = *options.folder / name;
   if (const Status made = make_folder(folder); !made) return made;
-  return write_study(
-      {json_of(study), csv_of(study), svg}, study_provenance(options), folder, console);
+  return write_study({json_of(study), csv_of(study), svg}, study_provenance(options), folder,
+                     console);
 }
 
 /// The demonstration's finger, which measures all that a study needs.
-Result<FingerPtr> simulated_finger(const StudyCommandOptions& options,
-                                   const Path& folder,
+Result<FingerPtr> simulated_finger(const StudyCommandOptions& options, const Path& folder,
                                    Console& console) {
   BenchOptions bench_options;
   bench_options.folder = folder;
@@ -113,9 +105,7 @@ Console::Json study_provenance(const StudyCommandOptions& options) {
   return json;
 }
 
-Status write_study(const StudyFiles& files,
-                   const Console::Json& provenance,
-                   const Path& folder,
+Status write_study(const StudyFiles& files, const Console::Json& provenance, const Path& folder,
                    Console& console) {
   Console::Json json = provenance;
   json["study"] = Console::Json::parse(files.json.dump());
@@ -135,8 +125,7 @@ Status write_study(const StudyFiles& files,
 /// `alltact study --calibrating`, `--simulating` and `--scaling`.
 Status run_calibrating_study(const StudyCommandOptions& options, Console& console) {
   if (options.fingers.empty())
-    return Error{en::say("no finger was named whose calibration is to be studied"),
-                 "",
+    return Error{en::say("no finger was named whose calibration is to be studied"), "",
                  en::say("alltact study --calibrating FINGER")};
   console.answer() = study_provenance(options);
   console.answer()["studies"] = Console::Json::array();
@@ -206,9 +195,7 @@ constexpr const char* kWithin = "within-ms";
 constexpr const char* kKeep = "keep-mm";
 constexpr const char* kCalibrated = "calibrated";
 
-Status use(const Path& finger,
-           const PipelineSettings& settings,
-           const std::string& name,
+Status use(const Path& finger, const PipelineSettings& settings, const std::string& name,
            Console& console) {
   const auto store = FingerStore::of(finger);
   if (const Status used = use_settings(*store, settings, name); !used) return used;
@@ -216,11 +203,8 @@ Status use(const Path& finger,
   if (!presets) return presets.error();
   const std::string flags = flags_of(settings, presets->calibrated);
   console.say(fmt::format("{} now measures with '{}': {}. To revert: alltact study {} --use {}",
-                          finger.string(),
-                          name,
-                          flags.empty() ? "as calibrated" : flags,
-                          finger.string(),
-                          kCalibrated));
+                          finger.string(), name, flags.empty() ? "as calibrated" : flags,
+                          finger.string(), kCalibrated));
   console.answer()["used"] = {{"name", name}, {"flags", flags}};
   return {};
 }
@@ -234,20 +218,17 @@ Result<std::pair<std::size_t, std::string>> row_within(const StudyCommandOptions
   const std::string name = is_time ? fmt::format("within {} ms", *options.max_time_ms)
                                    : fmt::format("95 % within {} mm", *options.max_error_mm);
   if (!row)
-    return Error{en::say("no setting is {}", name),
-                 "",
+    return Error{en::say("no setting is {}", name), "",
                  en::say("a wider limit; the table above tells what there is")};
   return std::pair{*row, name};
 }
 
 /// `--save` and `--use`.
 void add_use_flags(CLI::App& command, StudyCommandOptions& options) {
-  command.add_flag("--save",
-                   options.save,
+  command.add_flag("--save", options.save,
                    "Saves the presets fast, balanced and finest with the finger, for --preset");
   command
-      .add_option("--use",
-                  options.use,
+      .add_option("--use", options.use,
                   "Settings with which the finger measures from now on, everywhere: a stored "
                   "preset or, with --save, one of this study; within-ms or keep-mm, the result of "
                   "those options; calibrated, to revert")
@@ -292,19 +273,16 @@ Status use_stored_preset(const Path& finger, const std::string& name, Console& c
 /// Stores and uses the result of a study of the finger, as far as the options request it. Errors:
 /// the preset has no advantage on this finger; nothing is within the limit; those of
 /// save_presets().
-Status save_and_use(const StudyCommandOptions& options,
-                    const AccuracyStudy& study,
-                    const Path& finger,
-                    const std::string& machine,
-                    Console& console) {
+Status save_and_use(const StudyCommandOptions& options, const AccuracyStudy& study,
+                    const Path& finger, const std::string& machine, Console& console) {
   if (options.save) {
     const auto store = FingerStore::of(finger);
     const MeasuringPresets presets = presets_to_save(study, machine);
     if (const Status saved = save_presets(*store, presets); !saved) return saved;
     std::vector<std::string> names;
     for (const MeasuringPreset& preset : presets.presets) names.push_back(preset.name);
-    console.say(fmt::format(
-        "Saved with {}: {}.", finger.string(), fmt::format("{}", fmt::join(names, ", "))));
+    console.say(fmt::format("Saved with {}: {}.", finger.string(),
+                            fmt::format("{}", fmt::join(names, ", "))));
     console.answer()["kept"] = names;
   }
   if (options.use == kWithin || options.use == kKeep) {
@@ -402,16 +380,12 @@ class StudyCommand {
     const Path saved =
         folder_ / (finger_folder.empty() ? Path("simulated") : finger_folder.filename());
     if (const Status made = make_folder(saved); !made) return made;
-    auto rows = SavedRows::open(
-        saved / kRowsFile,
-        fmt::format("{:016x} {} {}", world->checksum, program_version(), how.repeats));
+    auto rows = SavedRows::open(saved / kRowsFile, fmt::format("{:016x} {} {}", world->checksum,
+                                                               program_version(), how.repeats));
     if (!rows) return rows.error();
     const std::vector<StudyRow> known = rows->rows;
     auto study = study_accuracy(
-        *world,
-        how,
-        known,
-        [&](const std::vector<StudyRow>& more) { return rows->add(more); },
+        *world, how, known, [&](const std::vector<StudyRow>& more) { return rows->add(more); },
         console_.job());
     if (!study) return study.error();
     if (!finger_folder.empty())
@@ -420,10 +394,8 @@ class StudyCommand {
     if (const Status printed = print_study(*study, how); !printed) return printed;
     if (const Status written = write(*study, saved); !written || finger_folder.empty())
       return written;
-    const std::string machine = fmt::format("{}, {} thread{}",
-                                            this_machine().processor,
-                                            options_.threads,
-                                            options_.threads > 1 ? "s" : "");
+    const std::string machine = fmt::format("{}, {} thread{}", this_machine().processor,
+                                            options_.threads, options_.threads > 1 ? "s" : "");
     return save_and_use(options_, *study, finger_folder, machine, console_);
   }
 
@@ -437,15 +409,11 @@ class StudyCommand {
       return {};
     }
     return add_real_errors(
-        study,
-        *presses,
-        rows_for_real(study, !options_.quick),
-        [&](const std::vector<StudyRow>& more) { return rows.add(more); },
-        console_.job());
+        study, *presses, rows_for_real(study, !options_.quick),
+        [&](const std::vector<StudyRow>& more) { return rows.add(more); }, console_.job());
   }
 
-  Result<StudyWorld> world_of(const Path& finger_folder,
-                              const StudyWorldOptions& options,
+  Result<StudyWorld> world_of(const Path& finger_folder, const StudyWorldOptions& options,
                               StudyOptions& how) {
     if (finger_folder.empty()) return simulated_world(folder_, options, console_.job());
     const auto finger = open_finger(finger_folder, console_);
@@ -455,9 +423,7 @@ class StudyCommand {
   }
 
   Status print_study(const AccuracyStudy& study, const StudyOptions& how) {
-    console_.say(fmt::format("{}, {} images ({} truth)",
-                             study.about,
-                             study.rows.front().frames,
+    console_.say(fmt::format("{}, {} images ({} truth)", study.about, study.rows.front().frames,
                              study.simulated ? "simulated" : "painted"));
     console_.say(text_of(study));
     Console::Json json = Console::Json::parse(json_of(study).dump());
@@ -468,34 +434,24 @@ class StudyCommand {
     if (options_.max_time_ms)
       status = print_limit(fmt::format("within {} ms", *options_.max_time_ms),
                            most_accurate_within(study, *options_.max_time_ms, options_.position_mm),
-                           study,
-                           how,
-                           json);
+                           study, how, json);
     if (status && options_.max_error_mm)
       status = print_limit(fmt::format("95 % within {} mm", *options_.max_error_mm),
                            fastest_within(study, *options_.max_error_mm, options_.position_mm),
-                           study,
-                           how,
-                           json);
+                           study, how, json);
     console_.answer()["studies"].push_back(std::move(json));
     return status;
   }
 
-  void print_choice(const std::string& name,
-                    std::optional<std::size_t> number,
-                    const AccuracyStudy& study,
-                    const StudyOptions& how,
-                    Console::Json& json) {
+  void print_choice(const std::string& name, std::optional<std::size_t> number,
+                    const AccuracyStudy& study, const StudyOptions& how, Console::Json& json) {
     if (!number) return;
     const StudyRow& row = study.rows[*number];
     const std::string flags = flags_of(row.settings, how.base);
     console_.say(
         fmt::format("{}: {:.2f} ms, error {:.1f} micrometres (median), 95 % within {:.1f}: {}",
-                    name,
-                    frame_ms(study, row),
-                    1000 * row.depth->median_mm,
-                    1000 * row.depth->p95_mm,
-                    flags.empty() ? "no change of settings" : flags));
+                    name, frame_ms(study, row), 1000 * row.depth->median_mm,
+                    1000 * row.depth->p95_mm, flags.empty() ? "no change of settings" : flags));
     const StudyBalance balance = balance_of(study, row);
     if (!balance.loses.empty())
       console_.say(
@@ -510,14 +466,10 @@ class StudyCommand {
     if (row.position_mm) json["choices"][name]["place_mm"] = *row.position_mm;
   }
 
-  Status print_limit(const std::string& name,
-                     std::optional<std::size_t> number,
-                     const AccuracyStudy& study,
-                     const StudyOptions& how,
-                     Console::Json& json) {
+  Status print_limit(const std::string& name, std::optional<std::size_t> number,
+                     const AccuracyStudy& study, const StudyOptions& how, Console::Json& json) {
     if (!number)
-      return Error{en::say("no setting is {}", name),
-                   "",
+      return Error{en::say("no setting is {}", name), "",
                    en::say("a wider limit; the table above tells what there is")};
     print_choice(name, number, study, how, json);
     return {};
@@ -525,10 +477,8 @@ class StudyCommand {
 
   Status write(const AccuracyStudy& study, const Path& saved) {
     if (!options_.folder) return {};
-    return write_study({json_of(study), csv_of(study), svg_of(study)},
-                       study_provenance(options_),
-                       saved,
-                       console_);
+    return write_study({json_of(study), csv_of(study), svg_of(study)}, study_provenance(options_),
+                       saved, console_);
   }
 
   const StudyCommandOptions& options_;
@@ -558,56 +508,48 @@ void add_study(CLI::App& program, Chosen& chosen) {
   auto limits = std::make_shared<std::pair<double, double>>();
   auto position_limit = std::make_shared<double>();
   CLI::App* command = add_command(program, "study");
-  command->add_option("FINGER",
-                      options->fingers,
+  command->add_option("FINGER", options->fingers,
                       "Finger whose recording supplies the images that balls are painted into "
                       "(default: the demonstration's finger, simulated)");
   CLI::Option* output = command
-                            ->add_option("-o,--output",
-                                         *folder,
+                            ->add_option("-o,--output", *folder,
                                          "Folder for figure, table and JSON; a stopped study "
                                          "continues there (default: not saved)")
                             ->type_name("DIR");
   command->add_flag("--quick", options->quick, "Varies one setting at a time, on few images");
   CLI::Option* calibrating =
-      command->add_flag("--calibrating",
-                        options->calibrating,
+      command->add_flag("--calibrating", options->calibrating,
                         "Studies what presses, images of each, methods, families and iterations "
                         "gain for a calibration, against minutes");
   CLI::Option* simulating =
       command
-          ->add_flag("--simulating",
-                     options->simulating,
+          ->add_flag("--simulating", options->simulating,
                      "Studies the cost and influence of each effect of a scene, which is given "
                      "instead of the finger (default: demo_presses)")
           ->excludes(calibrating);
   command
       ->add_flag(
-          "--scaling",
-          options->scaling,
+          "--scaling", options->scaling,
           "Studies how time and memory grow with pixels, recorded frames (to 100000), markers, "
           "presses (to 200) and the length of recordings (to an hour), with exponents")
       ->excludes(calibrating)
       ->excludes(simulating);
   CLI::Option* within =
       command
-          ->add_option("--within-ms",
-                       limits->first,
+          ->add_option("--within-ms", limits->first,
                        "Prints the most accurate settings within this time per frame, ms")
           ->type_name("MS")
           ->transform(typed_number(1e-3, 1e4));
   CLI::Option* keep =
       command
           ->add_option(
-              "--keep-mm",
-              limits->second,
+              "--keep-mm", limits->second,
               "Prints the fastest settings with 95 % of depth errors within this limit, mm")
           ->type_name("MM")
           ->transform(typed_number(1e-6, 100.0));
   CLI::Option* position_flag =
       command
-          ->add_option("--place-mm",
-                       *position_limit,
+          ->add_option("--place-mm", *position_limit,
                        "With both: maximum position error, mm (default: a quarter more than now)")
           ->type_name("MM")
           ->transform(typed_number(1e-6, 100.0));

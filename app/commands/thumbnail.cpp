@@ -27,16 +27,15 @@ void add_thumbnail(CLI::App& program, Chosen& chosen) {
   auto options = std::make_shared<ThumbnailOptions>();
   CLI::App* command = add_command(program, "thumbnail");
   command
-      ->add_option("FILE",
-                   options->file,
+      ->add_option("FILE", options->file,
                    "NAME.depth.tiff, NAME.depth16.png, or a mesh (ply, vtp, stl, glb, obj)")
       ->required();
   command->add_option("-o,--output", options->output, "Image to write, a PNG")
       ->type_name("FILE")
       ->required();
   command
-      ->add_option(
-          "--size", options->size_px, "Longer side of the image, pixels (16 to 4096; default 256)")
+      ->add_option("--size", options->size_px,
+                   "Longer side of the image, pixels (16 to 4096; default 256)")
       ->type_name("PX")
       ->transform(typed_integer(16, 4096));
   command->callback([=, &chosen] {

@@ -69,19 +69,9 @@ bool is_one_of(std::string_view value, const std::array<std::string_view, kCount
 
 ValueKind kind_of(std::string_view value) {
   static constexpr std::array<std::string_view, 3> kFolders{"FINGER", "DIR", "FOLDER"};
-  static constexpr std::array<std::string_view, 13> kFiles{"FILE",
-                                                           "GAUGE.csv",
-                                                           "GRIPPER",
-                                                           "IMAGE",
-                                                           "INPUT",
-                                                           "PICTURE",
-                                                           "PRESS",
-                                                           "RECORDING",
-                                                           "RESULTS",
-                                                           "SCENE",
-                                                           "SOURCE",
-                                                           "TABLE",
-                                                           "TEXT|FILE"};
+  static constexpr std::array<std::string_view, 13> kFiles{
+      "FILE",      "GAUGE.csv", "GRIPPER", "IMAGE",  "INPUT", "PICTURE",  "PRESS",
+      "RECORDING", "RESULTS",   "SCENE",   "SOURCE", "TABLE", "TEXT|FILE"};
   if (value.ends_with("...")) value.remove_suffix(3);
   if (is_one_of(value, kFolders)) return ValueKind::kFolder;
   const std::size_t dot = value.find('.');  // FILE.html
@@ -134,8 +124,7 @@ Result<std::string> completions(const CLI::App& program, std::string_view shell)
   if (shell == "bash") return bash_completions(program);
   if (shell == "zsh") return zsh_completions(program);
   if (shell == "fish") return fish_completions(program);
-  return Error{en::say("there are no completions for this shell"),
-               std::string(shell),
+  return Error{en::say("there are no completions for this shell"), std::string(shell),
                en::say("bash, zsh or fish")};
 }
 
@@ -180,9 +169,8 @@ std::string escaped(std::string_view text) {
 }
 
 std::string upper(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) {
-    return static_cast<char>(std::toupper(c));
-  });
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
   return text;
 }
 
@@ -239,10 +227,8 @@ std::string commands_of(const CLI::App& program) {
   std::string text = ".SH COMMANDS\n";
   for (const CLI::App* command : commands)
     text += fmt::format(".TP\n\\fB{}\\fR\n{}; see \\fB{}\\-{}\\fR(1).\n",
-                        escaped(command->get_name()),
-                        escaped(command->get_description()),
-                        escaped(program.get_name()),
-                        escaped(command->get_name()));
+                        escaped(command->get_name()), escaped(command->get_description()),
+                        escaped(program.get_name()), escaped(command->get_name()));
   return text;
 }
 
@@ -273,8 +259,7 @@ std::string man_page(const CLI::App& program, const std::string& version, const 
     what = what.substr(colon + 2);
   while (what.ends_with('.')) what.pop_back();
   std::string text = fmt::format(".TH {} 1 \"\" \"AllTact {}\" \"User Commands\"\n.nh\n.ad l\n",
-                                 escaped(upper(page)),
-                                 escaped(version));
+                                 escaped(upper(page)), escaped(version));
   text +=
       fmt::format(".SH NAME\n{} \\- {}\n.SH SYNOPSIS\n", escaped(page), escaped(lower_first(what)));
   text += has_commands
@@ -348,8 +333,7 @@ std::string table_of(const CLI::App& command, int first_position) {
   return fmt::format(
       "      case $before in\n{}        *) if [[ $word == -* ]]; then kind=words words={}; "
       "else\n{}        fi ;;\n      esac ;;\n",
-      values,
-      single_quoted(flags),
+      values, single_quoted(flags),
       positions.empty() ? "          :\n" : positions.substr(0, positions.size() - 4) + "\n");
 }
 
@@ -379,8 +363,7 @@ std::string bash_completions(const CLI::App& program) {
           : fmt::format(
                 "  if ((COMP_CWORD == 1)); then\n    kind=words words={}\n  else\n  case "
                 "${{COMP_WORDS[1]}} in\n{}  esac\n  fi",
-                single_quoted(names_of(commands) + flags),
-                tables);
+                single_quoted(names_of(commands) + flags), tables);
   return fmt::format(
       "# Completions of {0} for bash.\n"
       "{1}() {{\n"
@@ -391,10 +374,7 @@ std::string bash_completions(const CLI::App& program) {
       "  if [[ $word == = ]]; then word=; elif [[ $before == = ]]; then "
       "before=${{COMP_WORDS[COMP_CWORD - 2]}}; fi\n"
       "{2}\n{3}}}\ncomplete -F {1} {0}\n",
-      name,
-      function,
-      chosen,
-      kOffer);
+      name, function, chosen, kOffer);
 }
 
 namespace {
@@ -469,8 +449,8 @@ std::string zsh_completions(const CLI::App& program) {
   const std::string head = fmt::format("#compdef {}\n# Completions of {} for zsh.\n", name, name);
   const auto commands = program.get_subcommands({});
   if (commands.empty())
-    return fmt::format(
-        "{}{}() {{\n{}}}\n{} \"$@\"\n", head, function, arguments_of(program), function);
+    return fmt::format("{}{}() {{\n{}}}\n{} \"$@\"\n", head, function, arguments_of(program),
+                       function);
   std::string list, branches, own;
   for (const CLI::App* command : commands) {
     list += "    " +
@@ -488,11 +468,7 @@ std::string zsh_completions(const CLI::App& program) {
       "  if [[ $state == command ]]; then\n    _describe -t commands command commands\n"
       "  elif [[ $state == argument ]]; then\n    case $line[1] in\n{4}    esac\n  fi\n}}\n{1} "
       "\"$@\"\n",
-      head,
-      function,
-      list,
-      own,
-      branches);
+      head, function, list, own, branches);
 }
 
 namespace {
@@ -547,15 +523,11 @@ std::string fish_completions(const CLI::App& program) {
   text += kListFunction;
   text += lines_of(program, fmt::format("complete -c {} -n __fish_use_subcommand", name));
   for (const CLI::App* command : commands)
-    text += fmt::format("complete -c {} -n __fish_use_subcommand -a {} -d {}\n",
-                        name,
-                        command->get_name(),
-                        single_quoted(command->get_description()));
+    text += fmt::format("complete -c {} -n __fish_use_subcommand -a {} -d {}\n", name,
+                        command->get_name(), single_quoted(command->get_description()));
   for (const CLI::App* command : commands)
-    text += lines_of(
-        *command,
-        fmt::format(
-            "complete -c {} -n '__fish_seen_subcommand_from {}'", name, command->get_name()));
+    text += lines_of(*command, fmt::format("complete -c {} -n '__fish_seen_subcommand_from {}'",
+                                           name, command->get_name()));
   return text;
 }
 

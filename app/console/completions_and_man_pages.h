@@ -28,8 +28,7 @@ namespace alltact {
 
 /// The page of a full program, or of one command: NAME, or NAME-COMMAND. Section 1, in man(7)'s
 /// macros.
-[[nodiscard]] std::string man_page(const CLI::App& program,
-                                   const std::string& version,
+[[nodiscard]] std::string man_page(const CLI::App& program, const std::string& version,
                                    const CLI::App* command = nullptr);
 
 }  // namespace alltact

@@ -37,9 +37,7 @@ Console::Console(bool json)
   for (const int signal : {SIGINT, SIGTERM}) sigaction(signal, &action, nullptr);
 }
 
-Console::~Console() {
-  running_job = nullptr;
-}
+Console::~Console() { running_job = nullptr; }
 
 void Console::say(std::string_view line) {
   if (json_) return;
@@ -53,8 +51,8 @@ Status Console::put(std::string_view line) {
   const std::string text = fmt::format("{}\n", line);
   if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0)
     return {};
-  return Error{
-      en::say("standard output could not be written"), "", en::say("looking at what reads it")};
+  return Error{en::say("standard output could not be written"), "",
+               en::say("looking at what reads it")};
 }
 
 void Console::warn(std::string_view line) {

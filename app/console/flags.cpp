@@ -88,11 +88,8 @@ Result<std::vector<double>> typed_numbers(std::string_view text, std::size_t cou
   if (numbers.size() == count) return numbers;
   return Error{Message::typed(fmt::format("'{}' holds {} numbers, not {}: write decimals with a "
                                           "point, or separate the numbers with semicolons",
-                                          printable(text),
-                                          numbers.size(),
-                                          count)),
-               "",
-               ""};
+                                          printable(text), numbers.size(), count)),
+               "", ""};
 }
 
 }  // namespace alltact

@@ -43,8 +43,8 @@ namespace alltact {
 /// "What it does (range; default). What more of it brings; what that costs."
 template <class S>
 std::string help_of(const Setting<S>& setting) {
-  std::string help = fmt::format(
-      "{} ({}; default {})", setting.sentence, setting.range.text(), setting.default_value());
+  std::string help = fmt::format("{} ({}; default {})", setting.sentence, setting.range.text(),
+                                 setting.default_value());
   if (setting.trade)
     help += fmt::format(". Accuracy: {}. Time: {}", setting.trade->gains, setting.trade->costs);
   return help;
@@ -55,8 +55,7 @@ template <class S>
 class SettingFlags {
  public:
   /// Adds a flag for each setting of the table except those named in `without`.
-  void add_to(CLI::App& command,
-              const std::vector<Setting<S>>& table,
+  void add_to(CLI::App& command, const std::vector<Setting<S>>& table,
               const std::vector<std::string>& without = {}) {
     for (const Setting<S>& setting : table) {
       if (std::find(without.begin(), without.end(), setting.name) != without.end()) continue;
@@ -96,8 +95,7 @@ class SettingFlags {
 /// `--threads` for commands that compute in several; default 1.
 inline void add_threads_flag(CLI::App& command, int& threads) {
   command
-      .add_option("--threads",
-                  threads,
+      .add_option("--threads", threads,
                   "Number of threads (1 to 64; default 1); the result does not depend on it")
       ->type_name("N")
       ->transform(typed_integer(1, 64));

@@ -15,12 +15,10 @@ inline void describe_studio(CLI::App& program, StudioArguments& arguments, std::
   program.name("alltact-studio");
   program.description("AllTact Studio: a clear silicone finger as a measuring instrument.");
   program.set_version_flag("--version", "alltact-studio " + std::move(version));
-  program.add_option("FINGER",
-                     arguments.finger,
+  program.add_option("FINGER", arguments.finger,
                      "Folder of the finger to open; a scene or a video is taken as the source");
   program
-      .add_option("--source",
-                  arguments.source,
+      .add_option("--source", arguments.source,
                   "Source of the images: a camera (by a name from 'alltact devices'), a video, a "
                   "folder of images, or a scene (a simulated finger)")
       ->type_name("SOURCE");

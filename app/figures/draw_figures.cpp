@@ -36,8 +36,8 @@ auto offscreen(const Draw& draw) -> decltype(draw()) {
     if (const Status ready = drawing.ready(); !ready) return ready.error();
     return draw();
   } catch (const std::bad_alloc&) {
-    return Error{
-        en::say("there is not enough memory to draw"), "", en::say("close other programs")};
+    return Error{en::say("there is not enough memory to draw"), "",
+                 en::say("close other programs")};
   }
 }
 
@@ -54,8 +54,7 @@ class DrawnFigures : public Figures {
     return offscreen([&] { return make_experiment_pages(report, name); });
   }
 
-  Result<std::vector<ReportFile>> figure_files(const std::string& svg,
-                                               const std::string& name,
+  Result<std::vector<ReportFile>> figure_files(const std::string& svg, const std::string& name,
                                                const std::string& date) const override {
     auto files = offscreen([&] { return svg_figure_files(svg, name, date); });
     if (!files) return files.error();
@@ -63,8 +62,7 @@ class DrawnFigures : public Figures {
                                    {name + ".pdf", std::move(files->pdf)}};
   }
 
-  Result<std::unique_ptr<FaceRenderer>> faces(cv::Size size_px,
-                                              const SceneOptions& options,
+  Result<std::unique_ptr<FaceRenderer>> faces(cv::Size size_px, const SceneOptions& options,
                                               Viewpoint viewpoint) const override {
     auto renderer = OffscreenScene::create(size_px);
     if (!renderer) return renderer.error();

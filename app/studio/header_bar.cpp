@@ -89,10 +89,8 @@ void FingerSummary::show_summary() {
   setVisible(card_.has_value());
   if (!card_) return;
   const Meaning meaning = headline_of(*card_).meaning;
-  symbol_->setPixmap(symbol(meaning_symbol(meaning),
-                            meaning_colour(meaning, palette()),
-                            kSummarySymbol,
-                            devicePixelRatioF()));
+  symbol_->setPixmap(symbol(meaning_symbol(meaning), meaning_colour(meaning, palette()),
+                            kSummarySymbol, devicePixelRatioF()));
   text_->set_text(summary_of(*card_, utc_now()));
   due_->setVisible(card_->due != FingerDue::kNothing);
   switch (card_->due) {
@@ -115,9 +113,7 @@ void FingerSummary::changeEvent(QEvent* event) {
   if (event->type() == QEvent::PaletteChange) show_summary();
 }
 
-HeaderBar::HeaderBar(const LiveSession& session,
-                     const Workspace& work,
-                     QMenu& finger_menu,
+HeaderBar::HeaderBar(const LiveSession& session, const Workspace& work, QMenu& finger_menu,
                      QMenu& source_menu)
     : session_(session),
       work_(work),

@@ -54,9 +54,7 @@ class FingerSummary : public Translated<QWidget> {
 class HeaderBar : public Translated<QWidget> {
   Q_OBJECT
  public:
-  HeaderBar(const LiveSession& session,
-            const Workspace& work,
-            QMenu& finger_menu,
+  HeaderBar(const LiveSession& session, const Workspace& work, QMenu& finger_menu,
             QMenu& source_menu);
   [[nodiscard]] FingerSummary& summary() { return *summary_; }
 

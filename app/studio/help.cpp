@@ -226,8 +226,7 @@ int layout_columns(QTextDocument& document, const QString& body, double size_pt)
 void add_images(QTextDocument& document) {
   for (const char* page_name : kGuided) {
     const QString name = lead_of(help_text(QLatin1String(page_name))).image;
-    document.addResource(QTextDocument::ImageResource,
-                         QUrl(name),
+    document.addResource(QTextDocument::ImageResource, QUrl(name),
                          QImage(QStringLiteral(":/alltact/help/%1").arg(name)));
   }
 }
@@ -274,8 +273,7 @@ Result<std::string> quick_guide_pdf(const std::string& date) {
   while (layout_columns(document, body, size_pt) > kColumns * kPages && size_pt > kSmallest_pt)
     size_pt -= kStep_pt;
   if (document.pageCount() > kColumns * kPages)
-    return Error{en::say("the quick guide's texts do not fit on {} pages", kPages),
-                 "",
+    return Error{en::say("the quick guide's texts do not fit on {} pages", kPages), "",
                  en::say("shorten the numbered lists of the help pages")};
   QByteArray bytes;
   QBuffer buffer(&bytes);
@@ -305,8 +303,7 @@ HelpMenu::HelpMenu(std::function<std::string()> page, std::vector<Page*> pages, 
     : TranslatedMenu(window), page_(std::move(page)), pages_(std::move(pages)) {
   set_title([] { return tr("&Help"); });
   add(
-      {QKeySequence::HelpContents},
-      [] { return tr("&Help on this page"); },
+      {QKeySequence::HelpContents}, [] { return tr("&Help on this page"); },
       [this] { show_help(); });
   add(
       {}, [] { return tr("&Glossary"); }, [this] { show_page(QStringLiteral("glossary")); });
@@ -317,9 +314,7 @@ HelpMenu::HelpMenu(std::function<std::string()> page, std::vector<Page*> pages, 
       {}, [] { return tr("&About AllTact Studio"); }, [this] { show_about(); });
 }
 
-void HelpMenu::show_help() {
-  show_page(QString::fromStdString(page_()));
-}
+void HelpMenu::show_help() { show_page(QString::fromStdString(page_())); }
 
 void HelpMenu::show_page(const QString& name) {
   if (!help_window_) {
@@ -330,8 +325,7 @@ void HelpMenu::show_page(const QString& name) {
 }
 
 void HelpMenu::choose_guide_file() {
-  auto* dialog = new QFileDialog(parentWidget(),
-                                 tr("Save the quick guide"),
+  auto* dialog = new QFileDialog(parentWidget(), tr("Save the quick guide"),
                                  QDir::home().filePath(QStringLiteral("alltact-quick-guide.pdf")),
                                  tr("PDF files (*.pdf)"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);

@@ -43,14 +43,12 @@ void ProgramAppearance::set_language(const QString& language) {
   QLocale::setDefault(locale);
   // Open windows took the locale from before: their fields would go on writing its numbers.
   for (QWidget* window : QApplication::topLevelWidgets()) window->setLocale(locale);
-  if (qt_translator_.load(locale,
-                          QStringLiteral("qtbase"),
-                          QStringLiteral("_"),
+  if (qt_translator_.load(locale, QStringLiteral("qtbase"), QStringLiteral("_"),
                           QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
     QCoreApplication::installTranslator(&qt_translator_);
   // Plural forms need a translation, in English too: "1 frame", "2 frames".
-  if (app_translator_.load(
-          locale, QStringLiteral("alltact"), QStringLiteral("_"), QStringLiteral(":/i18n")) ||
+  if (app_translator_.load(locale, QStringLiteral("alltact"), QStringLiteral("_"),
+                           QStringLiteral(":/i18n")) ||
       app_translator_.load(QStringLiteral(":/i18n/alltact_en")))
     QCoreApplication::installTranslator(&app_translator_);
 }
@@ -58,8 +56,7 @@ void ProgramAppearance::set_language(const QString& language) {
 namespace {
 
 Result<ReferenceReport> install(const std::filesystem::path& folder,
-                                const std::filesystem::path& video,
-                                const ReferenceChoices& choices,
+                                const std::filesystem::path& video, const ReferenceChoices& choices,
                                 const Job& job) {
   return set_reference(folder, {video}, job, choices);
 }
@@ -171,13 +168,11 @@ void MainWindow::connect_live() {
 
 void MainWindow::connect_start() {
   StartPanel* start = &live_->start();
-  connect(&finder_, &CameraFinder::cameras_changed, live_, [this] {
-    live_->set_cameras(finder_.cameras());
-  });
+  connect(&finder_, &CameraFinder::cameras_changed, live_,
+          [this] { live_->set_cameras(finder_.cameras()); });
   connect(start, &StartPanel::last_requested, this, &MainWindow::go_on_with_last);
-  connect(start, &StartPanel::camera_requested, this, [this](const QString& name) {
-    open_source({name.toStdString()});
-  });
+  connect(start, &StartPanel::camera_requested, this,
+          [this](const QString& name) { open_source({name.toStdString()}); });
   connect(start, &StartPanel::simulation_requested, source_menu_, &SourceMenu::open_simulated);
   connect(start, &StartPanel::all_fingers_requested, finger_menu_, &FingerMenu::list_all);
   connect(start, &StartPanel::tutorial_requested, this, [this] {
@@ -247,14 +242,12 @@ void MainWindow::make_view_menu() {
     const Page* page = pages_[i];
     const auto key = static_cast<Qt::Key>(Qt::Key_1 + static_cast<int>(i));
     menu->add(
-        {Qt::CTRL | key},
-        [page] { return page->menu_text(); },
+        {Qt::CTRL | key}, [page] { return page->menu_text(); },
         [this, page] { go_to(page->name()); });
   }
   menu->addSeparator();
   menu->add(
-      {Qt::Key_F11},
-      [] { return tr("&Full screen"); },
+      {Qt::Key_F11}, [] { return tr("&Full screen"); },
       [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
   menuBar()->addMenu(menu);
 }
@@ -276,8 +269,8 @@ Page& MainWindow::shown_page() const {
 }
 
 void MainWindow::go_to(const std::string& name) {
-  const auto found = std::find_if(
-      pages_.begin(), pages_.end(), [&](const Page* page) { return page->name() == name; });
+  const auto found = std::find_if(pages_.begin(), pages_.end(),
+                                  [&](const Page* page) { return page->name() == name; });
   const auto index = found == pages_.end() ? 0 : found - pages_.begin();
   stack_->setCurrentIndex(static_cast<int>(index));
   navigation_->mark(static_cast<std::size_t>(index));
@@ -335,11 +328,9 @@ void MainWindow::name_last() {
 
 void MainWindow::ask_before_closing() {
   auto* box = new QMessageBox(
-      QMessageBox::Question,
-      tr("A recording is running"),
+      QMessageBox::Question, tr("A recording is running"),
       tr("A recording is running. Quitting ends it; the recording up to then is saved."),
-      QMessageBox::NoButton,
-      this);
+      QMessageBox::NoButton, this);
   box->setAttribute(Qt::WA_DeleteOnClose);
   auto* end = box->addButton(tr("&End it and quit"), QMessageBox::AcceptRole);
   auto* go_on = box->addButton(tr("&Go on recording"), QMessageBox::RejectRole);

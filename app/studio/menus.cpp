@@ -100,8 +100,8 @@ void FingerMenu::fill() {
   connect(addAction(tr("&Open finger…")), &QAction::triggered, this, &FingerMenu::choose);
   connect(addAction(tr("&All fingers…")), &QAction::triggered, this, &FingerMenu::list_all);
   connect(addAction(tr("&New finger…")), &QAction::triggered, this, [this] { make(); });
-  connect(
-      addAction(tr("&Close finger")), &QAction::triggered, this, [this] { work_.open_finger({}); });
+  connect(addAction(tr("&Close finger")), &QAction::triggered, this,
+          [this] { work_.open_finger({}); });
 }
 
 std::vector<std::filesystem::path> FingerMenu::offered() const {
@@ -123,9 +123,8 @@ void FingerMenu::offer(const std::vector<std::filesystem::path>& found) {
 void FingerMenu::list_all() {
   auto* dialog = new FingerListDialog(work_.state().recent_fingers, parentWidget());
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  connect(dialog, &FingerListDialog::finger_chosen, this, [this](const QString& folder) {
-    work_.open_finger(folder.toStdString());
-  });
+  connect(dialog, &FingerListDialog::finger_chosen, this,
+          [this](const QString& folder) { work_.open_finger(folder.toStdString()); });
   dialog->show();
 }
 
@@ -133,9 +132,8 @@ void FingerMenu::choose() {
   auto* dialog = new QFileDialog(parentWidget(), tr("Open a finger's folder"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::Directory);
-  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& folder) {
-    work_.open_finger(folder.toStdString());
-  });
+  connect(dialog, &QFileDialog::fileSelected, this,
+          [this](const QString& folder) { work_.open_finger(folder.toStdString()); });
   dialog->show();
 }
 
@@ -143,9 +141,8 @@ void FingerMenu::make(const NewFinger& known) {
   auto* dialog = new NewFingerDialog(make_described, parentWidget());
   dialog->set_description(known);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  connect(dialog, &NewFingerDialog::made, this, [this](const QString& folder) {
-    work_.open_finger(folder.toStdString());
-  });
+  connect(dialog, &NewFingerDialog::made, this,
+          [this](const QString& folder) { work_.open_finger(folder.toStdString()); });
   dialog->show();
 }
 
@@ -186,13 +183,9 @@ void SourceMenu::fill() {
   add(tr("&Close the source"), [this] { work_.open_source({}); });
 }
 
-void SourceMenu::open_simulated() {
-  open_shipped("scenes/studio_finger.yaml");
-}
+void SourceMenu::open_simulated() { open_shipped("scenes/studio_finger.yaml"); }
 
-void SourceMenu::open_simulated_day() {
-  open_shipped("scenes/studio_day.yaml");
-}
+void SourceMenu::open_simulated_day() { open_shipped("scenes/studio_day.yaml"); }
 
 void SourceMenu::open_shipped(const char* name) {
   const auto scene = find_resource(name);
@@ -206,9 +199,7 @@ void SourceMenu::choose_video() {
   choose(tr("Open a video"), QFileDialog::ExistingFile, tr("Videos (*.mkv *.avi *.mp4)"));
 }
 
-void SourceMenu::choose_folder() {
-  choose(tr("Open a folder of images"), QFileDialog::Directory);
-}
+void SourceMenu::choose_folder() { choose(tr("Open a folder of images"), QFileDialog::Directory); }
 
 void SourceMenu::choose_scene() {
   choose(tr("Open a scene"), QFileDialog::ExistingFile, tr("Scenes (*.yaml *.yml)"));
@@ -218,9 +209,8 @@ void SourceMenu::choose(const QString& title, QFileDialog::FileMode mode, const 
   auto* dialog = new QFileDialog(parentWidget(), title, QString(), filter);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(mode);
-  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& chosen) {
-    work_.open_source({chosen.toStdString()});
-  });
+  connect(dialog, &QFileDialog::fileSelected, this,
+          [this](const QString& chosen) { work_.open_source({chosen.toStdString()}); });
   dialog->show();
 }
 

@@ -46,9 +46,7 @@ Result<fs::path> make_tried_finger(const Finger& simulated, const fs::path& work
 
 }  // namespace
 
-Tutorial::Tutorial(LiveSession& session,
-                   Workspace& work,
-                   CalibratePage& calibrate,
+Tutorial::Tutorial(LiveSession& session, Workspace& work, CalibratePage& calibrate,
                    fs::path work_folder)
     : session_(session),
       work_(work),

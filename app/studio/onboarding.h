@@ -16,9 +16,7 @@ class Tutorial : public Translated<QFrame> {
   Q_OBJECT
  public:
   /// work_folder: where the tutorial's finger gets a folder of its own.
-  Tutorial(LiveSession& session,
-           Workspace& work,
-           CalibratePage& calibrate,
+  Tutorial(LiveSession& session, Workspace& work, CalibratePage& calibrate,
            std::filesystem::path work_folder);
 
   /// Begins when the simulated finger is being opened.

@@ -68,12 +68,9 @@ std::string session_to_json(const SessionState& state) {
   json["finger"] = state.finger.string();
   json["source"] = texts_of(state.source);
   json["place"] = state.page;
-  json["view"] = {{"edges", state.view.edges},
-                  {"markers", state.view.markers},
-                  {"direction", state.view.direction},
-                  {"depth", state.view.depth},
-                  {"faults", state.view.faults},
-                  {"depth_top_mm", state.view.depth_top_mm}};
+  json["view"] = {{"edges", state.view.edges},         {"markers", state.view.markers},
+                  {"direction", state.view.direction}, {"depth", state.view.depth},
+                  {"faults", state.view.faults},       {"depth_top_mm", state.view.depth_top_mm}};
   json["inspect"] = inspect_to_json(state.inspect);
   json["locked"] = state.is_locked;
   json["controls"] = Json::object();
@@ -88,8 +85,8 @@ std::string session_to_json(const SessionState& state) {
 Result<SessionState> session_from_json(const std::string& text, const std::string& origin) {
   const Json json = Json::parse(text, nullptr, false);
   if (!json.is_object() || value_or(json, "format", std::string()) != kSessionFormat)
-    return Error{
-        en::say("this is not a session of this program"), origin, en::say("starting a new one")};
+    return Error{en::say("this is not a session of this program"), origin,
+                 en::say("starting a new one")};
   SessionState state;
   state.finger = value_or(json, "finger", std::string());
   state.source = paths_of(json, "source");
@@ -133,9 +130,8 @@ E enum_of(const Json& json, const char* key, const std::vector<std::string>& wor
 std::optional<Numbers> numbers_of(const Json& json, const char* key, std::size_t count) {
   const auto numbers = value_or(json, key, Numbers());
   const bool is_complete =
-      numbers.size() == count && std::all_of(numbers.begin(), numbers.end(), [](double number) {
-        return std::isfinite(number);
-      });
+      numbers.size() == count && std::all_of(numbers.begin(), numbers.end(),
+                                             [](double number) { return std::isfinite(number); });
   return is_complete ? std::optional(numbers) : std::nullopt;
 }
 

@@ -38,9 +38,8 @@ NavigationBar::NavigationBar(const std::vector<Page*>& pages, QWidget* parent)
   }
   column->addStretch();
   mark(0);
-  connect(buttons_, &QButtonGroup::idClicked, this, [this](int id) {
-    Q_EMIT chosen(pages_[static_cast<std::size_t>(id)]->name());
-  });
+  connect(buttons_, &QButtonGroup::idClicked, this,
+          [this](int id) { Q_EMIT chosen(pages_[static_cast<std::size_t>(id)]->name()); });
   say([this] { name_buttons(); });
   set_icons();
 }
@@ -87,10 +86,8 @@ Problem note_of(const Message& sentence) {
 
 }  // namespace
 
-NotificationBar::NotificationBar(const LiveSession& session,
-                                 const SessionStore& store,
-                                 const Pedal& pedal,
-                                 Workspace& work,
+NotificationBar::NotificationBar(const LiveSession& session, const SessionStore& store,
+                                 const Pedal& pedal, Workspace& work,
                                  const std::vector<Page*>& pages,
                                  std::function<std::vector<std::filesystem::path>()> slow_files)
     : session_(session),
@@ -129,10 +126,8 @@ void NotificationBar::forget_crash() {
 
 void NotificationBar::add_session_problems(Problems& problems) {
   if (session_store_.has_crashed() && !is_crash_reported_)
-    problems.push_back({Meaning::kDoubtful,
-                        tr("The program ended unexpectedly last time."),
-                        tr("Your work is saved."),
-                        tr("&Go on with it"),
+    problems.push_back({Meaning::kDoubtful, tr("The program ended unexpectedly last time."),
+                        tr("Your work is saved."), tr("&Go on with it"),
                         [this] { Q_EMIT continue_requested(); }});
   if (const auto unkept = session_store_.problem())
     problems.push_back(Problem::of(*unkept, Meaning::kDoubtful));
@@ -201,9 +196,7 @@ StatusLine::StatusLine(const LiveSession& session)
   });
 }
 
-std::array<QLabel*, 4> StatusLine::labels() const {
-  return {delivered_, lost_, age_, time_};
-}
+std::array<QLabel*, 4> StatusLine::labels() const { return {delivered_, lost_, age_, time_}; }
 
 void StatusLine::follow() {
   const bool is_open = session_.view() != nullptr;

@@ -45,11 +45,8 @@ class NavigationBar : public Translated<QFrame> {
 class NotificationBar : public ProblemList {
   Q_OBJECT
  public:
-  NotificationBar(const LiveSession& session,
-                  const SessionStore& store,
-                  const Pedal& pedal,
-                  Workspace& work,
-                  const std::vector<Page*>& pages,
+  NotificationBar(const LiveSession& session, const SessionStore& store, const Pedal& pedal,
+                  Workspace& work, const std::vector<Page*>& pages,
                   std::function<std::vector<std::filesystem::path>()> slow_files);
 
   void follow();

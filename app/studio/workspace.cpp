@@ -22,8 +22,7 @@ QString short_name(const std::filesystem::path& path) {
   return QString::fromStdString(name.string());
 }
 
-Workspace::Workspace(LiveSession& session,
-                     QUndoStack& undo,
+Workspace::Workspace(LiveSession& session, QUndoStack& undo,
                      const std::optional<SessionState>& last)
     : session_(session), undo_(undo) {
   connect(&poll_timer_, &QTimer::timeout, this, [this] {
@@ -47,8 +46,7 @@ void Workspace::open_finger(const std::filesystem::path& folder) {
         return requested.empty() ? tr("close the finger")
                                  : tr("open finger %1").arg(short_name(requested));
       },
-      state_.finger,
-      requested,
+      state_.finger, requested,
       [this](const std::filesystem::path& finger) { set_finger(finger); }));
 }
 
@@ -59,9 +57,7 @@ void Workspace::open_source(const Inputs& inputs) {
         return inputs.empty() ? tr("close the source")
                               : tr("open source %1").arg(short_name(inputs.front()));
       },
-      state_.source,
-      inputs,
-      [this](const Inputs& requested) { set_source(requested); }));
+      state_.source, inputs, [this](const Inputs& requested) { set_source(requested); }));
 }
 
 void Workspace::begin_with(const std::filesystem::path& finger, const Inputs& source) {

@@ -18,17 +18,10 @@ constexpr std::string_view kHead =
 constexpr std::size_t kLargestFile = std::size_t{64} << 20;
 
 std::string line_of(const CheckEntry& entry) {
-  return fmt::format("{},{},{},{},{},{},{},{},{},{}",
-                     entry.time,
-                     to_string(entry.verdict),
-                     entry.error_mm,
-                     entry.drifting_above_mm,
-                     entry.recalibrate_above_mm,
-                     entry.light_percent,
-                     entry.presses,
-                     entry.ball_radius_mm,
-                     entry.calibration_date,
-                     entry.program_version);
+  return fmt::format("{},{},{},{},{},{},{},{},{},{}", entry.time, to_string(entry.verdict),
+                     entry.error_mm, entry.drifting_above_mm, entry.recalibrate_above_mm,
+                     entry.light_percent, entry.presses, entry.ball_radius_mm,
+                     entry.calibration_date, entry.program_version);
 }
 
 std::vector<std::string> parts_of(const std::string& line) {
@@ -57,10 +50,8 @@ std::optional<CheckEntry> entry_from(const std::string& line) {
   CheckEntry entry;
   entry.time = parts[0];
   bool is_verdict = false;
-  for (const auto verdict : {CheckVerdict::kPass,
-                             CheckVerdict::kDrifting,
-                             CheckVerdict::kRecalibrate,
-                             CheckVerdict::kTooFew}) {
+  for (const auto verdict : {CheckVerdict::kPass, CheckVerdict::kDrifting,
+                             CheckVerdict::kRecalibrate, CheckVerdict::kTooFew}) {
     if (parts[1] != to_string(verdict)) continue;
     entry.verdict = verdict;
     is_verdict = true;
@@ -77,9 +68,7 @@ std::optional<CheckEntry> entry_from(const std::string& line) {
 
 }  // namespace
 
-CheckEntry entry_of(const PressCheck& check,
-                    const Finger& finger,
-                    const std::string& time,
+CheckEntry entry_of(const PressCheck& check, const Finger& finger, const std::string& time,
                     const std::string& program_version) {
   CheckEntry entry;
   entry.time = time;

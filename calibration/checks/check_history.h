@@ -27,10 +27,8 @@ struct CheckEntry {
   bool operator==(const CheckEntry&) const = default;
 };
 
-[[nodiscard]] CheckEntry entry_of(const PressCheck& check,
-                                  const Finger& finger,
-                                  const std::string& time,
-                                  const std::string& program_version);
+[[nodiscard]] CheckEntry entry_of(const PressCheck& check, const Finger& finger,
+                                  const std::string& time, const std::string& program_version);
 
 inline constexpr const char* kCheckFile = "checks.csv";
 

@@ -36,10 +36,7 @@ Message sentence_of(const ContactFreeCheck& check) {
   const Message figures = en::say(
       "the face is {:.1f} % {} than in its reference; false depth {:.3f} mm in its worst 5 % "
       "({:.3f} mm without light correction; up to {:.3f} mm is noise)",
-      100.0 * std::abs(check.light_change),
-      how,
-      check.false_depth_mm,
-      check.uncorrected_mm,
+      100.0 * std::abs(check.light_change), how, check.false_depth_mm, check.uncorrected_mm,
       check.limit_mm);
   switch (check.verdict) {
     case CheckVerdict::kPass:
@@ -49,10 +46,9 @@ Message sentence_of(const ContactFreeCheck& check) {
                           en::say("let the lamps warm up, check exposure and gain, and record the "
                                   "reference again if it persists")});
     case CheckVerdict::kTooFew:
-      return en::clauses(
-          {en::at(en::say("too few to judge"), figures),
-           en::say(
-               "a check needs {} images, {} could be measured", kCheckPresses, check.image_count)});
+      return en::clauses({en::at(en::say("too few to judge"), figures),
+                          en::say("a check needs {} images, {} could be measured", kCheckPresses,
+                                  check.image_count)});
     case CheckVerdict::kRecalibrate:
       break;
   }
@@ -66,8 +62,7 @@ Result<ContactFreeCheck> check_contact_free(const FingerSnapshot& snapshot,
                                             const Job& job) {
   const std::filesystem::path& folder = snapshot.folder;
   if (!snapshot.mapping)
-    return Error{en::say("the finger is not calibrated yet"),
-                 folder.string(),
+    return Error{en::say("the finger is not calibrated yet"), folder.string(),
                  en::say("calibrate with ball presses")};
   const Mapping& mapping = *snapshot.mapping;
   auto pipeline = Pipeline::create(snapshot, measuring_settings(folder), Job(job, 0.0, 0.6));
@@ -85,8 +80,7 @@ Result<ContactFreeCheck> check_contact_free(const FingerSnapshot& snapshot,
     const auto result = (*pipeline)(*frame);
     if (!result) return result.error();
     if (!result->depth || !result->reference->known_pose || result->reference->by_shape) {
-      check.left_out.push_back(en::say("{}: {}",
-                                       (*frame)->name,
+      check.left_out.push_back(en::say("{}: {}", (*frame)->name,
                                        result->problems.empty()
                                            ? en::say("nothing could be measured")
                                            : result->problems.front()));
@@ -114,8 +108,7 @@ Result<ContactFreeCheck> check_contact_free(const FingerSnapshot& snapshot,
   if (check.image_count == 0) {
     const Message none = en::say("none of the images can be compared with the reference");
     return Error{check.left_out.empty() ? none : en::say("{} ({})", none, check.left_out.front()),
-                 folder,
-                 en::say("images of the untouched finger in recorded poses")};
+                 folder, en::say("images of the untouched finger in recorded poses")};
   }
   for (double* mean :
        {&check.light_change, &check.false_depth_mm, &check.uncorrected_mm, &noise_mm})

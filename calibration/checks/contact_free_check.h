@@ -35,8 +35,7 @@ struct ContactFreeCheck {
 /// images: see open_source; nothing may touch the face in them. Errors: the finger has no mapping;
 /// those of its reference; no image that can be compared; stopped.
 [[nodiscard]] Result<ContactFreeCheck> check_contact_free(
-    const FingerSnapshot& snapshot,
-    const std::vector<std::filesystem::path>& images,
+    const FingerSnapshot& snapshot, const std::vector<std::filesystem::path>& images,
     const Job& job);
 
 }  // namespace alltact

@@ -24,8 +24,7 @@ CheckItem check_reference(const FingerSnapshot& snapshot, const Job& job) {
   const Finger& finger = snapshot.finger;
   const bool flat = finger.face.kind == FaceKind::kFlat;
   if (!finger.reference) {
-    return {"reference",
-            CheckState::kMissing,
+    return {"reference", CheckState::kMissing,
             flat ? en::say("no untouched image; specify it with --reference to calibrate")
                  : en::say("no recording of the untouched finger bending; run alltact reference")};
   }
@@ -40,8 +39,7 @@ CheckItem check_reference(const FingerSnapshot& snapshot, const Job& job) {
   const std::size_t count = library->frame_count();
   if (count < kPlentyOfFrames) {
     return {
-        "reference",
-        CheckState::kWeak,
+        "reference", CheckState::kWeak,
         en::say("only {} frames; poses between them are estimates, record more bending", count)};
   }
   return {"reference", CheckState::kFine, en::count("{} frames", "{} frame", count)};
@@ -50,16 +48,13 @@ CheckItem check_reference(const FingerSnapshot& snapshot, const Job& job) {
 CheckItem check_markers(const Finger& finger) {
   if (!finger.contact) {
     return {
-        "markers",
-        CheckState::kMissing,
+        "markers", CheckState::kMissing,
         en::say("no layout at rest, so contact cannot be detected; run alltact reference again")};
   }
   if (finger.reference && finger.reference->positions)
-    return {"markers",
-            CheckState::kWeak,
+    return {"markers", CheckState::kWeak,
             en::say("none; the pose comes from the shape of the face, which hides twist")};
-  return {"markers",
-          CheckState::kFine,
+  return {"markers", CheckState::kFine,
           en::say("{} markers; contact is detected from {:.1f} px of summed offset",
                   finger.marker_count() - static_cast<int>(finger.markers.missing.size()),
                   finger.contact->threshold_px)};
@@ -67,13 +62,11 @@ CheckItem check_markers(const Finger& finger) {
 
 CheckItem check_mapping(const Finger& finger, const CalibrationEvidence& evidence) {
   if (!finger.mapping) {
-    return {"mapping",
-            CheckState::kMissing,
+    return {"mapping", CheckState::kMissing,
             en::say("not calibrated; run alltact calibrate with ball presses")};
   }
   if (!finger.mapping_record) {
-    return {"mapping",
-            CheckState::kWeak,
+    return {"mapping", CheckState::kWeak,
             en::say("its origin and quality are not recorded; run alltact calibrate again")};
   }
   const Verdict worth = verdict(evidence);
@@ -89,8 +82,7 @@ CheckItem check_numbers(const CalibrationEvidence& evidence) {
   for (std::size_t i = 0; i < worth.missing.size(); ++i)
     if (worth.missing_names[i] == "numbers_unchanged")
       return {"numbers", CheckState::kMissing, worth.missing[i]};
-  return {"numbers",
-          CheckState::kFine,
+  return {"numbers", CheckState::kFine,
           worth.rests_on.empty() ? en::say("unchanged since the calibration") : worth.rests_on};
 }
 
@@ -99,24 +91,19 @@ CheckItem check_age(const Finger& finger, const CalibrationEvidence& evidence) {
   const std::string reference = value_or_empty(finger, "reference_date");
   const std::string calibration = value_or_empty(finger, "calibration_date");
   if (evidence.reference_is_newer) {
-    return {"calibration",
-            CheckState::kStale,
-            en::say("the reference ({}) is newer than the calibration ({}): {}",
-                    reference,
-                    calibration,
-                    evidence.repeat_command)};
+    return {"calibration", CheckState::kStale,
+            en::say("the reference ({}) is newer than the calibration ({}): {}", reference,
+                    calibration, evidence.repeat_command)};
   }
   return {
-      "calibration",
-      CheckState::kFine,
+      "calibration", CheckState::kFine,
       calibration.empty() ? en::say("made on an unknown date") : en::say("made {}", calibration)};
 }
 
 CheckItem check_inputs(const fs::path& folder, const Finger& finger) {
   const auto inputs = CalibrationInputs::load(folder);
   if (!inputs)
-    return {"presses",
-            CheckState::kWeak,
+    return {"presses", CheckState::kWeak,
             en::say("the calibration cannot be repeated: {}.", inputs.error().message())};
   const auto gone =
       std::count_if(inputs->presses.begin(), inputs->presses.end(), [&](const StoredPress& press) {
@@ -124,14 +111,11 @@ CheckItem check_inputs(const fs::path& folder, const Finger& finger) {
         return !fs::exists(folder / "presses" / (press.name + ".png"), failed);
       });
   if (gone > 0)
-    return {"presses",
-            CheckState::kWeak,
+    return {"presses", CheckState::kWeak,
             en::say("{} of {} press images are missing, so the calibration cannot be repeated",
-                    gone,
-                    inputs->presses.size())};
+                    gone, inputs->presses.size())};
   if (inputs->date != value_or_empty(finger, "calibration_date"))
-    return {"presses",
-            CheckState::kStale,
+    return {"presses", CheckState::kStale,
             en::say("the stored data is of an interrupted calibration; complete it with {}",
                     repeat_command(folder))};
   return {"presses", CheckState::kFine, en::say("{} images stored", inputs->presses.size())};
@@ -144,8 +128,7 @@ CheckItem check_force(const FingerSnapshot& snapshot) {
     return {"force", CheckState::kStale, en::say("{}.", belongs.error().message())};
   const std::string trained = value_or_empty(snapshot.finger, "force_date");
   const std::string kind = to_string(snapshot.force->kind);
-  return {"force",
-          CheckState::kFine,
+  return {"force", CheckState::kFine,
           trained.empty() ? en::say("{}, trained at an unknown date", kind)
                           : en::say("{}, trained {}", kind, trained)};
 }
@@ -173,12 +156,9 @@ FingerCheck check_finger(const FingerSnapshot& snapshot, const Job& job, const s
   const CalibrationEvidence evidence =
       evidence_in(snapshot, now, has_passed ? last->time : std::string());
   FingerCheck check;
-  check.items.push_back({"camera",
-                         CheckState::kFine,
-                         en::say("{}, {} x {} px",
-                                 std::string(to_string(finger.camera.model)),
-                                 finger.camera.width_px,
-                                 finger.camera.height_px)});
+  check.items.push_back({"camera", CheckState::kFine,
+                         en::say("{}, {} x {} px", std::string(to_string(finger.camera.model)),
+                                 finger.camera.width_px, finger.camera.height_px)});
   check.items.push_back(check_reference(snapshot, job));
   if (finger.face.kind == FaceKind::kFinRay) check.items.push_back(check_markers(finger));
   check.items.push_back(check_mapping(finger, evidence));

@@ -37,8 +37,7 @@ struct FingerCheck {
 
 /// Checks everything a finger needs to measure, and reads the reference recording.
 ///   now: UTC, as utc_now() writes it; empty: ages do not count
-[[nodiscard]] FingerCheck check_finger(const FingerSnapshot& snapshot,
-                                       const Job& job,
+[[nodiscard]] FingerCheck check_finger(const FingerSnapshot& snapshot, const Job& job,
                                        const std::string& now = {});
 
 // The current state of a finger, from its folder: the verdict on its calibration, its files, its

@@ -24,9 +24,7 @@ namespace fs = std::filesystem;
 constexpr double kFactorSeen = 0.02;  // a factor closer to 1 counts as 1
 constexpr double kChance = 3.0;       // standard deviations
 
-Error stopped() {
-  return {en::say("stopped before the check was done"), "", ""};
-}
+Error stopped() { return {en::say("stopped before the check was done"), "", ""}; }
 
 struct Mean {
   double mean = 0, sd = 0;
@@ -51,11 +49,8 @@ Mean mean_of(const std::vector<CheckedPress>& presses, double CheckedPress::*mem
 }
 
 /// Fits the ball of one press to the shape of its contact: centre and factor are free.
-Result<CheckedPress> measure(const Press& press,
-                             double light_change,
-                             const Face& face,
-                             const Mapping& mapping,
-                             const Job& job) {
+Result<CheckedPress> measure(const Press& press, double light_change, const Face& face,
+                             const Mapping& mapping, const Job& job) {
   const auto ball = ball_by_shape(press, face, mapping, job);
   if (!ball) return ball.error();
   CheckedPress result;
@@ -64,9 +59,7 @@ Result<CheckedPress> measure(const Press& press,
   result.factor = ball->factor;
   result.depth_mm = ball->depth_mm;
   const double radius2 = ball->depth_mm * (2 * press.ball_radius_mm - ball->depth_mm);
-  result.spot = {ball->on_face_mm.x(),
-                 ball->on_face_mm.y(),
-                 std::sqrt(std::max(0.0, radius2)),
+  result.spot = {ball->on_face_mm.x(), ball->on_face_mm.y(), std::sqrt(std::max(0.0, radius2)),
                  face_length_mm(press.shape)};
   for (const double error_mm : ball->errors_mm) result.error_mm += std::abs(error_mm);
   result.error_mm /= static_cast<double>(ball->errors_mm.size());
@@ -74,9 +67,7 @@ Result<CheckedPress> measure(const Press& press,
 }
 
 /// Measures the step of a punch with the mapping.
-Result<CheckedPress> measure_step(const Press& press,
-                                  double light_change,
-                                  const Face& face,
+Result<CheckedPress> measure_step(const Press& press, double light_change, const Face& face,
                                   const Mapping& mapping) {
   const auto step = find_step(press, face);
   if (!step) return step.error();
@@ -129,11 +120,8 @@ Message in_a_row(const std::vector<Message>& sentences) {
   return all;
 }
 
-Result<Measured> measure_all(const PressInput& presses,
-                             Pipeline& pipeline,
-                             const Mapping& mapping,
-                             const PressSet& press_notes,
-                             const Job& job) {
+Result<Measured> measure_all(const PressInput& presses, Pipeline& pipeline, const Mapping& mapping,
+                             const PressSet& press_notes, const Job& job) {
   auto source = open_presses(presses);
   if (!source) return source.error();
   Measured all;
@@ -149,15 +137,13 @@ Result<Measured> measure_all(const PressInput& presses,
     if (!result->difference || !result->shape || result->reference->by_shape) {
       all.left_out_names.push_back((*frame)->name);
       const Message no_face = en::say("no face was found");
-      all.left_out.push_back(
-          refused((*frame)->name,
-                  result->problems.empty() ? en::say("{}.", no_face) : result->problems.front()));
+      all.left_out.push_back(refused((*frame)->name, result->problems.empty()
+                                                         ? en::say("{}.", no_face)
+                                                         : result->problems.front()));
       continue;
     }
     const double light = result->difference->light.change();
-    Press press{(*frame)->name,
-                std::move(*result->difference),
-                std::move(*result->shape),
+    Press press{(*frame)->name, std::move(*result->difference), std::move(*result->shape),
                 press_notes.radius_of((*frame)->name)};
     const Face& face = pipeline.finger().face;
     press.step_mm = press_notes.of(press.name).step_mm;
@@ -174,9 +160,8 @@ Result<Measured> measure_all(const PressInput& presses,
     return std::tie(a.name, a.error_mm) < std::tie(b.name, b.error_mm);
   });
   std::sort(all.left_out_names.begin(), all.left_out_names.end());
-  std::sort(all.left_out.begin(), all.left_out.end(), [](const Message& a, const Message& b) {
-    return a.english() < b.english();
-  });
+  std::sort(all.left_out.begin(), all.left_out.end(),
+            [](const Message& a, const Message& b) { return a.english() < b.english(); });
   return all;
 }
 
@@ -191,10 +176,8 @@ double known_radius_mm(const Finger& finger) {
 }
 
 /// The presses of the calibration, measured like the new ones; empty where they are not saved.
-std::vector<CheckedPress> own_presses(const fs::path& folder,
-                                      Pipeline& pipeline,
-                                      const Mapping& mapping,
-                                      const Job& job) {
+std::vector<CheckedPress> own_presses(const fs::path& folder, Pipeline& pipeline,
+                                      const Mapping& mapping, const Job& job) {
   const auto inputs = CalibrationInputs::load(folder);
   if (!inputs) return {};
   PressInput presses;
@@ -227,14 +210,10 @@ void judge(const std::vector<CheckedPress>& own, double held_out_mm, PressCheck&
   const PressCoverage coverage = coverage_of(std::move(spots));
   check.positions = coverage.positions;
   check.thirds = coverage.thirds;
-  check.verdict = check_verdict({static_cast<int>(check.presses.size()),
-                                 check.positions,
-                                 check.error_mm,
-                                 check.drifting_above_mm,
-                                 check.recalibrate_above_mm,
-                                 std::abs(check.light_change),
-                                 check.light_limit,
-                                 std::max(kLightOff, 3 * check.light_limit)});
+  check.verdict = check_verdict({static_cast<int>(check.presses.size()), check.positions,
+                                 check.error_mm, check.drifting_above_mm,
+                                 check.recalibrate_above_mm, std::abs(check.light_change),
+                                 check.light_limit, std::max(kLightOff, 3 * check.light_limit)});
 }
 
 Message why_depth_is_off(const PressCheck& check) {
@@ -243,16 +222,14 @@ Message why_depth_is_off(const PressCheck& check) {
     return en::say("the contacts are not ball-shaped: is the ball or face dirty?");
   const Message side = check.factor > 1 ? en::say("shallow") : en::say("deep");
   return en::say("the mapping reads {:.0f} % too {}: layer, ball or camera have changed",
-                 100 * std::abs(1 - 1 / check.factor),
-                 side);
+                 100 * std::abs(1 - 1 / check.factor), side);
 }
 
 Message why_light_is_off(const PressCheck& check) {
   if (!(std::abs(check.light_change) > check.light_limit)) return {};
   const Message how = check.light_change > 0 ? en::say("brighter") : en::say("darker");
   return en::say("the face is {:.1f} % {} than before: check lamps, exposure and layer",
-                 100 * std::abs(check.light_change),
-                 how);
+                 100 * std::abs(check.light_change), how);
 }
 
 /// Number and position of the presses that a check lacks.
@@ -266,14 +243,11 @@ Message press_again(const PressCheck& check) {
   return empty.empty()
              ? en::say(
                    "a check needs {} presses at different positions; these are at {}: press again",
-                   kCheckPresses,
-                   check.positions)
+                   kCheckPresses, check.positions)
              : en::say(
                    "a check needs {} presses at different positions; these are at {}: press also "
                    "in these thirds: {}",
-                   kCheckPresses,
-                   check.positions,
-                   thirds);
+                   kCheckPresses, check.positions, thirds);
 }
 
 Message sentence_of(const PressCheck& check) {
@@ -282,10 +256,7 @@ Message sentence_of(const PressCheck& check) {
   const Message figures = en::count(
       "{1:.3f} mm depth error on {0} presses {4} (passes up to {2:.3f} mm), light {3:+.1f} %",
       "{1:.3f} mm depth error on {0} press {4} (passes up to {2:.3f} mm), light {3:+.1f} %",
-      check.presses.size(),
-      check.error_mm,
-      check.drifting_above_mm,
-      100 * check.light_change,
+      check.presses.size(), check.error_mm, check.drifting_above_mm, 100 * check.light_change,
       where);
   Message advice;
   if (check.verdict == CheckVerdict::kDrifting) advice = en::say("calibrate again soon");
@@ -295,36 +266,30 @@ Message sentence_of(const PressCheck& check) {
   std::vector<Message> names;
   for (const std::string& name : check.left_out_names) names.push_back(Message::typed(name));
   const Message left_out = en::list(names);
-  return en::clauses({en::at(word_of(check.verdict), figures),
-                      why_depth_is_off(check),
+  return en::clauses({en::at(word_of(check.verdict), figures), why_depth_is_off(check),
                       why_light_is_off(check),
-                      names.empty() ? Message() : en::say("left out: {}", left_out),
-                      advice});
+                      names.empty() ? Message() : en::say("left out: {}", left_out), advice});
 }
 
 }  // namespace
 
-Result<PressCheck> check_with_presses(const FingerSnapshot& snapshot,
-                                      const PressInput& presses,
-                                      const PressSet& of_presses,
-                                      const Job& job) {
+Result<PressCheck> check_with_presses(const FingerSnapshot& snapshot, const PressInput& presses,
+                                      const PressSet& of_presses, const Job& job) {
   const Finger& finger = snapshot.finger;
   if (!snapshot.mapping || !finger.mapping_record)
     return Error{en::say("the finger is not calibrated, so there is nothing to check"),
-                 snapshot.folder,
-                 en::say("alltact calibrate")};
+                 snapshot.folder, en::say("alltact calibrate")};
   PressSet press_notes = of_presses;
   if (!(press_notes.ball_radius_mm > 0)) press_notes.ball_radius_mm = known_radius_mm(finger);
   if (!(press_notes.ball_radius_mm > 0))
-    return Error{en::say("the finger's data does not name its calibration ball"),
-                 snapshot.folder,
+    return Error{en::say("the finger's data does not name its calibration ball"), snapshot.folder,
                  en::say("--ball-radius-mm with the radius of the pressed ball")};
   PressCheck check;
   check.ball_radius_mm = press_notes.ball_radius_mm;
   check.is_flat = finger.face.kind == FaceKind::kFlat;
   // Stops before the mapping: up to the brightness difference.
-  auto pipeline = Pipeline::create(
-      snapshot.without_mapping(), settings_for_presses(measuring_settings(snapshot.folder)), job);
+  auto pipeline = Pipeline::create(snapshot.without_mapping(),
+                                   settings_for_presses(measuring_settings(snapshot.folder)), job);
   if (!pipeline) return pipeline.error();
   job.report(0.3, en::say("measuring the presses"));
   auto measured = measure_all(presses, *pipeline, *snapshot.mapping, press_notes, job);
@@ -334,15 +299,13 @@ Result<PressCheck> check_with_presses(const FingerSnapshot& snapshot,
   check.left_out_names = std::move(measured->left_out_names);
   for (const auto& [name, note] : press_notes.notes)
     if (!measured->names.contains(name))
-      return Error{en::say("no press is named '{}'", name),
-                   "",
+      return Error{en::say("no press is named '{}'", name), "",
                    en::say("one of {}", fmt::format("{}", fmt::join(measured->names, ", ")))};
   if (check.presses.empty()) {
     std::vector<Message> reasons = check.left_out;
     if (!reasons.empty()) reasons.back() = without_full_stop(reasons.back());
     return Error{
-        en::say("no press can be used: {}", in_a_row(reasons)),
-        "",
+        en::say("no press can be used: {}", in_a_row(reasons)), "",
         en::say("images of this finger with the ball pressed 0.3 mm or more into its face")};
   }
   job.report(0.6, en::say("measuring the presses of the calibration"));
@@ -364,14 +327,11 @@ double reading_mm(const Mapping& mapping, double x) {
   return x < 0 ? mapping.slope_mm(0) * x : mapping.depth_mm(x);
 }
 
-Result<BallByShape> ball_by_shape(const Press& press,
-                                  const Face& face,
-                                  const Mapping& mapping,
+Result<BallByShape> ball_by_shape(const Press& press, const Face& face, const Mapping& mapping,
                                   const Job& job) {
   const auto guess = find_ball(press, face);
   if (!guess) return guess.error();
-  const Error too_small{en::say("{}: the contact covers too few pixels", press.name),
-                        "",
+  const Error too_small{en::say("{}: the contact covers too few pixels", press.name), "",
                         en::say("pressing deeper, or a larger image")};
   PressSamples samples =
       sample_around(press, face, guess->centre_mm, 1.06 * press.ball_radius_mm, kSamplesOfBall);

@@ -69,8 +69,7 @@ struct PressCheck {
 /// images; no ball in any press; stopped.
 [[nodiscard]] Result<PressCheck> check_with_presses(const FingerSnapshot& snapshot,
                                                     const PressInput& presses,
-                                                    const PressSet& press_notes,
-                                                    const Job& job);
+                                                    const PressSet& press_notes, const Job& job);
 
 /// Limits of checks: light beyond the first is drifting, beyond the second unusable; errors below
 /// the third do not count.
@@ -93,10 +92,8 @@ struct BallByShape {
 /// Fits the centre and one factor on all depths, so that the ball cannot sink in to meet a mapping
 /// that is too deep. The errors are those of the mapping without that factor. Errors: those of
 /// find_ball(); a contact of too few pixels; no ball fits; stopped.
-[[nodiscard]] Result<BallByShape> ball_by_shape(const Press& press,
-                                                const Face& face,
-                                                const Mapping& mapping,
-                                                const Job& job);
+[[nodiscard]] Result<BallByShape> ball_by_shape(const Press& press, const Face& face,
+                                                const Mapping& mapping, const Job& job);
 
 /// The depth by the mapping; below zero it continues as a straight line.
 [[nodiscard]] double reading_mm(const Mapping& mapping, double x);

@@ -116,8 +116,7 @@ void RigCheck::add(const FrameResult& result, double time_s) {
   smooth(tip_px_, edge_sharpness_px(result, true));
   seen_dots_ = static_cast<int>(result.dots.size());
   if (result.markers)
-    seen_dots_ = static_cast<int>(std::count_if(result.markers->begin(),
-                                                result.markers->end(),
+    seen_dots_ = static_cast<int>(std::count_if(result.markers->begin(), result.markers->end(),
                                                 [](const Marker& one) { return one.seen; }));
   watch_lamp(result, time_s);
 }
@@ -149,11 +148,8 @@ double RigCheck::lamp_part() const {
 }
 
 std::vector<RigFinding> RigCheck::findings(int expected_dots) const {
-  return {focus(RigItem::kFocusBase, base_px_),
-          focus(RigItem::kFocusTip, tip_px_),
-          brightness(),
-          lamp(),
-          dots(expected_dots)};
+  return {focus(RigItem::kFocusBase, base_px_), focus(RigItem::kFocusTip, tip_px_), brightness(),
+          lamp(), dots(expected_dots)};
 }
 
 RigFinding RigCheck::focus(RigItem item, const std::optional<double>& width_px) const {
@@ -203,15 +199,13 @@ RigFinding RigCheck::lamp() const {
   const double part = lamp_part();
   if (part < 1) {
     found.sentence = has_face_ ? en::say("hold the finger still: {:.0f} of {:.0f} s",
-                                         std::floor(part * kLamp_s),
-                                         kLamp_s)
+                                         std::floor(part * kLamp_s), kLamp_s)
                                : en::say("no face is visible");
     return found;
   }
   const auto [darkest, brightest] =
-      std::minmax_element(lights_.begin(), lights_.end(), [](const Light& a, const Light& b) {
-        return a.mean < b.mean;
-      });
+      std::minmax_element(lights_.begin(), lights_.end(),
+                          [](const Light& a, const Light& b) { return a.mean < b.mean; });
   const double change = (brightest->mean - darkest->mean) / brightest->mean;
   found.sentence = en::say("brightness changes by {:.1f} % in {:.0f} s", 100 * change, kLamp_s);
   found.state = change <= kSteady     ? RigState::kFine

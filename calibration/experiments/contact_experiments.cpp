@@ -27,8 +27,7 @@ struct LocalisationErrors {
 Result<LocalisationErrors> localisation_errors(const ExperimentBench& bench) {
   LocalisationErrors errors;
   const auto frames =
-      bench.measure("experiment_localisation",
-                    {},
+      bench.measure("experiment_localisation", {},
                     [&](std::size_t, const Truth& truth, const FrameResult& result) {
                       if (result.regions.empty()) return;
                       const ContactTruth& contact = truth.contacts.front();
@@ -66,42 +65,28 @@ Result<ExperimentOutcome> run_localisation(const ExperimentBench& bench) {
   ExperimentOutcome outcome;
   outcome.frames = frames;
   outcome.figures = {
-      {en::say("position, mean error within +-20 mm of the middle"),
-       "mm",
-       own->inner.mean(),
-       0.814,
+      {en::say("position, mean error within +-20 mm of the middle"), "mm", own->inner.mean(), 0.814,
        0.2},
       {en::say("position, mean error at the tip"), "mm", own->tip.mean(), 2.93, 0.5},
       {en::say("position, greatest error"), "mm", own->all.greatest, {}, {}},
       {en::say("contacts found"), "%", percent_of(found, frames), {}, {}, true},
-      {en::say("the worst of {} fingers drawn at random, within +-20 mm", kFingerVariants),
-       "mm",
-       inner.greatest,
-       0.814,
-       0.2},
-      {en::say("the worst of {} fingers drawn at random, at the tip", kFingerVariants),
-       "mm",
-       tip.greatest,
-       2.93,
-       0.5},
+      {en::say("the worst of {} fingers drawn at random, within +-20 mm", kFingerVariants), "mm",
+       inner.greatest, 0.814, 0.2},
+      {en::say("the worst of {} fingers drawn at random, at the tip", kFingerVariants), "mm",
+       tip.greatest, 2.93, 0.5},
   };
   using Style = ExperimentSeries::Style;
-  outcome.plots.push_back({en::say("position error along the finger, one point per contact"),
-                           en::say("position along the finger (mm)"),
-                           en::say("position error (mm)"),
-                           {std::move(own->found),
-                            level_line(en::say("paper, mean within 20 mm of the middle, measured"),
-                                       Style::kPaper,
-                                       0.814,
-                                       kMiddleOfArray_mm - kInnerReach_mm,
-                                       kMiddleOfArray_mm + kInnerReach_mm),
-                            level_line(en::say("paper, mean at the tip, measured"),
-                                       Style::kPaper,
-                                       2.93,
-                                       kTipRow_mm - 5,
-                                       kTipRow_mm + 2)},
-                           {},
-                           true});
+  outcome.plots.push_back(
+      {en::say("position error along the finger, one point per contact"),
+       en::say("position along the finger (mm)"),
+       en::say("position error (mm)"),
+       {std::move(own->found),
+        level_line(en::say("paper, mean within 20 mm of the middle, measured"), Style::kPaper,
+                   0.814, kMiddleOfArray_mm - kInnerReach_mm, kMiddleOfArray_mm + kInnerReach_mm),
+        level_line(en::say("paper, mean at the tip, measured"), Style::kPaper, 2.93, kTipRow_mm - 5,
+                   kTipRow_mm + 2)},
+       {},
+       true});
   return outcome;
 }
 
@@ -139,8 +124,7 @@ Result<ExperimentOutcome> run_pose(const ExperimentBench& bench) {
       {en::say("angle error of a bar, by its orientation"),
        en::say("true angle (degrees)"),
        en::say("angle error (degrees)"),
-       {turned,
-        level_line(en::say("paper, the lesser, measured"), Style::kPaper, 3.22, -75, 90),
+       {turned, level_line(en::say("paper, the lesser, measured"), Style::kPaper, 3.22, -75, 90),
         level_line(en::say("paper, the greater, measured"), Style::kPaper, 12.06, -75, 90)},
        {},
        true});
@@ -153,9 +137,8 @@ namespace {
 
 /// Straight as in the reference image, or bent.
 bool is_bent(const Truth& truth) {
-  return std::any_of(truth.pose.begin(), truth.pose.end(), [](const auto& freedom) {
-    return std::abs(freedom.second) > 1e-9;
-  });
+  return std::any_of(truth.pose.begin(), truth.pose.end(),
+                     [](const auto& freedom) { return std::abs(freedom.second) > 1e-9; });
 }
 
 constexpr double kCell_mm = 0.05, kAlong_mm = 20, kAcross_mm = 17;  // of a map
@@ -200,12 +183,7 @@ cv::Mat_<cv::Vec2f> pixels_of_map(const FaceShape& shape, const Eigen::Vector2d&
 
 cv::Mat_<float> map_of(const cv::Mat& depth_mm, const cv::Mat_<cv::Vec2f>& pixels) {
   cv::Mat_<float> map;
-  cv::remap(depth_mm,
-            map,
-            pixels,
-            cv::noArray(),
-            cv::INTER_LINEAR,
-            cv::BORDER_CONSTANT,
+  cv::remap(depth_mm, map, pixels, cv::noArray(), cv::INTER_LINEAR, cv::BORDER_CONSTANT,
             cv::Scalar(std::numeric_limits<double>::quiet_NaN()));
   return map;
 }
@@ -253,12 +231,8 @@ class ReliefMaps {
 /// The first straight frame and the first bent one, in this order.
 using MapsOfRelief = std::array<std::optional<ReliefMaps>, 2>;
 
-void show(const Truth& truth,
-          const FrameResult& result,
-          std::size_t method,
-          std::array<int, 2>& frame,
-          int number,
-          MapsOfRelief& shown) {
+void show(const Truth& truth, const FrameResult& result, std::size_t method,
+          std::array<int, 2>& frame, int number, MapsOfRelief& shown) {
   const std::size_t bent = is_bent(truth) ? 1 : 0;
   if (!shown[bent] && method == 0) {
     frame[bent] = number;
@@ -267,17 +241,15 @@ void show(const Truth& truth,
             ? en::say(
                   "relief of the straight finger, along the pressed face from base (left) to tip")
             : en::say("relief of the bent finger, along the pressed face from base (left) to tip"),
-        truth,
-        *result.shape);
+        truth, *result.shape);
   }
   if (!shown[bent] || frame[bent] != number) return;
   if (method == 0)
-    shown[bent]->add(en::say("recording of all poses"),
-                     en::say("recording of all poses, error"),
+    shown[bent]->add(en::say("recording of all poses"), en::say("recording of all poses, error"),
                      result.depth->depth_mm);
   else
-    shown[bent]->add(
-        en::say("single reference"), en::say("single reference, error"), result.depth->depth_mm);
+    shown[bent]->add(en::say("single reference"), en::say("single reference, error"),
+                     result.depth->depth_mm);
 }
 
 Result<ExperimentOutcome> relief_of(const ExperimentBench& bench, const std::string& scene) {
@@ -289,23 +261,20 @@ Result<ExperimentOutcome> relief_of(const ExperimentBench& bench, const std::str
   std::array<int, 2> shown_frame{};
   int number = 0;
   const auto frames =
-      bench.measure(scene,
-                    {{PipelineSettings{}, single}, TruthDetail::kAll, {}},
+      bench.measure(scene, {{PipelineSettings{}, single}, TruthDetail::kAll, {}},
                     [&](std::size_t which, const Truth& truth, const FrameResult& result) {
                       const int frame = number++ / 2;
                       Evaluator& here = errors[2 * which + (is_bent(truth) ? 1 : 0)];
                       if (!result.depth) return here.add_missing();
-                      here.add(truth,
-                               result.depth->depth_mm,
+                      here.add(truth, result.depth->depth_mm,
                                contact_face_points_mm(result, bench.finger().finger.face),
                                result.markers.value_or(Markers{}));
                       show(truth, result, which, shown_frame, frame, shown);
                     });
   if (!frames) return frames.error();
-  const Message what[] = {en::say("relief, mean depth error, straight"),
-                          en::say("relief, mean depth error, bent"),
-                          en::say("the same straight, single reference"),
-                          en::say("the same bent, single reference")};
+  const Message what[] = {
+      en::say("relief, mean depth error, straight"), en::say("relief, mean depth error, bent"),
+      en::say("the same straight, single reference"), en::say("the same bent, single reference")};
   ExperimentOutcome outcome;
   outcome.frames = *frames;
   for (std::size_t i = 0; i < errors.size(); ++i) {

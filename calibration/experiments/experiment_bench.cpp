@@ -47,8 +47,7 @@ Result<SceneText> text_of_scene(const std::string& name) {
 }
 
 /// finger: nullopt: that of the file
-Result<Plan> plan_of_scene(const std::string& name,
-                           std::uint64_t seed,
+Result<Plan> plan_of_scene(const std::string& name, std::uint64_t seed,
                            const std::optional<FingerVariant>& finger) {
   const auto written = text_of_scene(name);
   if (!written) return written.error();
@@ -72,9 +71,7 @@ FramePtr frame_of_plan(const Plan& plan, int number) {
 }
 
 /// Every n-th frame of a plan within a range.
-std::vector<FramePtr> frames_of_plan(const Plan& plan,
-                                     const cv::Range& range,
-                                     int every,
+std::vector<FramePtr> frames_of_plan(const Plan& plan, const cv::Range& range, int every,
                                      int threads) {
   std::vector<FramePtr> frames(static_cast<std::size_t>(range.size()));
   parallel_for(range.size(), threads, [&](int first, int last) {
@@ -90,9 +87,7 @@ struct Shot {
   Truth truth;
 };
 
-std::vector<Shot> shots_of_plan(const Plan& plan,
-                                const cv::Range& range,
-                                TruthDetail detail,
+std::vector<Shot> shots_of_plan(const Plan& plan, const cv::Range& range, TruthDetail detail,
                                 int threads) {
   std::vector<Shot> shots(static_cast<std::size_t>(range.size()));
   parallel_for(range.size(), threads, [&](int first, int last) {
@@ -105,9 +100,7 @@ std::vector<Shot> shots_of_plan(const Plan& plan,
   return shots;
 }
 
-Error stopped_in_experiment() {
-  return {en::say("stopped before the experiments ended"), "", ""};
-}
+Error stopped_in_experiment() { return {en::say("stopped before the experiments ended"), "", ""}; }
 
 /// Every n-th of a plan's frames, some of them rendered at a time.
 class PlannedFrames : public Source {
@@ -121,8 +114,8 @@ class PlannedFrames : public Source {
     if (position_ == frame_count()) return FramePtr();
     const auto at = static_cast<std::size_t>(position_ % kBatchFrames);
     if (at == 0)
-      ready_ = frames_of_plan(
-          plan_, {position_, std::min(frame_count(), position_ + kBatchFrames)}, every_, threads_);
+      ready_ = frames_of_plan(plan_, {position_, std::min(frame_count(), position_ + kBatchFrames)},
+                              every_, threads_);
     ++position_;
     return std::move(ready_[at]);
   }
@@ -192,8 +185,8 @@ Status ExperimentBench::make_finger(const Plan& recording) {
 
 /// Everything that the finger depends on: the scenes with its description, and the seed.
 Result<std::string> ExperimentBench::cache_name() const {
-  std::vector<std::string> made_by{
-      options_.name, std::to_string(options_.seed), std::to_string(options_.recording_every)};
+  std::vector<std::string> made_by{options_.name, std::to_string(options_.seed),
+                                   std::to_string(options_.recording_every)};
   for (const char* scene : {kBenchRecording, kBenchPresses}) {
     const auto written = text_of_scene(scene);
     if (!written) return written.error();
@@ -291,8 +284,7 @@ std::vector<FramePtr> ExperimentBench::frames(const Plan& plan, int first, int e
   return frames_of_plan(plan, {first, end}, 1, options_.threads);
 }
 
-Result<int> ExperimentBench::measure(const std::string& scene,
-                                     const Measuring& measuring,
+Result<int> ExperimentBench::measure(const std::string& scene, const Measuring& measuring,
                                      const Take& take) const {
   assert(!measuring.settings.empty());
   FingerVariant lit = options_.finger;
@@ -313,10 +305,8 @@ Result<int> ExperimentBench::measure(const std::string& scene,
                  en::say("{}: frame {} of {}", scene, number + 1, count));
     const auto at = static_cast<std::size_t>(number % kBatchFrames);
     if (at == 0)
-      shots = shots_of_plan(*scene_plan,
-                            {number, std::min(count, number + kBatchFrames)},
-                            measuring.truth,
-                            options_.threads);
+      shots = shots_of_plan(*scene_plan, {number, std::min(count, number + kBatchFrames)},
+                            measuring.truth, options_.threads);
     const Shot shot = std::move(shots[at]);
     for (std::size_t which = 0; which < pipelines.size(); ++which) {
       pipelines[which].forget();
@@ -423,9 +413,8 @@ void put_effect(YamlValue& effect, const FingerVariant& f) {
 FingerVariant FingerVariant::draw(std::uint64_t seed, int number) {
   std::uint32_t drawn = 0;
   const auto between = [&](double low, double high) {
-    return low +
-           (high - low) *
-               philox_uniform(seed, "drawn finger", static_cast<std::uint32_t>(number), drawn++);
+    return low + (high - low) * philox_uniform(seed, "drawn finger",
+                                               static_cast<std::uint32_t>(number), drawn++);
   };
   FingerVariant finger;
   finger.width_mm = between(20, 27);
@@ -455,8 +444,7 @@ FingerVariant FingerVariant::draw(std::uint64_t seed, int number) {
   return finger;
 }
 
-Result<std::string> scene_text_on_finger(std::string_view yaml,
-                                         const std::filesystem::path& origin,
+Result<std::string> scene_text_on_finger(std::string_view yaml, const std::filesystem::path& origin,
                                          const FingerVariant& finger) {
   YamlFile file(origin, YamlFile::Unknown::kRetained);
   const Status read = file.read(std::string(yaml), [](YamlSection&) {});
@@ -472,8 +460,7 @@ Result<std::string> scene_text_on_finger(std::string_view yaml,
   return scene.on_many_lines();
 }
 
-Result<Scene> scene_on_finger(std::string_view yaml,
-                              const std::filesystem::path& origin,
+Result<Scene> scene_on_finger(std::string_view yaml, const std::filesystem::path& origin,
                               const FingerVariant& finger) {
   const auto text = scene_text_on_finger(yaml, origin, finger);
   if (!text) return text.error();
@@ -537,8 +524,8 @@ void remove_quietly(const fs::path& folder) {
 }
 
 Error caching_error(const fs::path& where, int code) {
-  return system_error(
-      en::say("could not save the simulated finger for the next time"), where, code);
+  return system_error(en::say("could not save the simulated finger for the next time"), where,
+                      code);
 }
 
 /// A new folder next to the cached ones.
@@ -556,8 +543,7 @@ bool is_occupied(const std::error_code& failed) {
 }
 
 /// Renames `made` into the cache, which other programs may change at the same time.
-std::error_code rename_into_cache(const fs::path& made,
-                                  const fs::path& cache,
+std::error_code rename_into_cache(const fs::path& made, const fs::path& cache,
                                   const std::string& name) {
   constexpr int kMostTries = 100;  // each that fails is another program's success
   std::error_code failed;
@@ -588,8 +574,7 @@ std::string cached_finger_name(const std::vector<std::string_view>& made_by) {
   return fmt::format("{}-{}", program_version(), sum.text());
 }
 
-std::optional<std::string> load_cached_finger(const fs::path& cache,
-                                              const std::string& name,
+std::optional<std::string> load_cached_finger(const fs::path& cache, const std::string& name,
                                               const fs::path& to) {
   const auto text = read_file(cache / name / kListFile);
   if (!text) return std::nullopt;
@@ -604,9 +589,7 @@ std::optional<std::string> load_cached_finger(const fs::path& cache,
   return std::nullopt;
 }
 
-Status cache_finger(const fs::path& cache,
-                    const std::string& name,
-                    const fs::path& finger_folder,
+Status cache_finger(const fs::path& cache, const std::string& name, const fs::path& finger_folder,
                     const std::string& note) {
   const auto made = unfinished_folder(cache);
   if (!made) return made.error();

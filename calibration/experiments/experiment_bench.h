@@ -129,8 +129,7 @@ class ExperimentBench {
   };
   /// Measures all frames of a scene, each by itself and with each of the settings. Returns the
   /// number of frames. Errors: those of plan() and Pipeline; stopped.
-  [[nodiscard]] Result<int> measure(const std::string& scene,
-                                    const Measuring& measuring,
+  [[nodiscard]] Result<int> measure(const std::string& scene, const Measuring& measuring,
                                     const Take& take) const;
 
   /// Images of the frames [first, end) as a source would deliver them.
@@ -144,10 +143,8 @@ class ExperimentBench {
     Truth truth_at_rest;  ///< without its images
     int rest_frame = 0;   ///< of the plan
   };
-  [[nodiscard]] static Result<Recorded> record(const Plan& recording,
-                                               const std::string& folder,
-                                               const BenchOptions& options,
-                                               const Job& job);
+  [[nodiscard]] static Result<Recorded> record(const Plan& recording, const std::string& folder,
+                                               const BenchOptions& options, const Job& job);
 
  private:
   ExperimentBench(BenchOptions options, const Job& job)
@@ -190,8 +187,7 @@ class ExperimentBench {
 
 /// Caches the files of a finger's folder. The eight newest fingers are retained. Errors: the cache
 /// cannot be made or written.
-[[nodiscard]] Status cache_finger(const std::filesystem::path& cache,
-                                  const std::string& name,
+[[nodiscard]] Status cache_finger(const std::filesystem::path& cache, const std::string& name,
                                   const std::filesystem::path& finger_folder,
                                   const std::string& note);
 

@@ -50,13 +50,8 @@ const std::vector<Experiment>& experiments() {
        run_usb_plug},
       {"markers",
        en::say("what the methods of finding markers cost and gain"),
-       {"demo_presses",
-        "hard_hidden_dots",
-        "hard_worn_dots",
-        "hard_defocus_at_the_base",
-        "hard_defocus_at_the_tip",
-        "hard_dead_lamp",
-        "hard_dirty_skin"},
+       {"demo_presses", "hard_hidden_dots", "hard_worn_dots", "hard_defocus_at_the_base",
+        "hard_defocus_at_the_tip", "hard_dead_lamp", "hard_dirty_skin"},
        run_markers},
       {"time",
        en::say("time for each step of a frame, full HD with 24 dots"),
@@ -94,10 +89,8 @@ ExperimentSeries bars(const Message& name, ExperimentSeries::Style style, std::v
 
 }  // namespace
 
-ExperimentPlot compared_bars(const Message& caption,
-                             const Message& y_axis,
-                             std::vector<Message> categories,
-                             std::vector<double> simulated,
+ExperimentPlot compared_bars(const Message& caption, const Message& y_axis,
+                             std::vector<Message> categories, std::vector<double> simulated,
                              std::vector<double> paper) {
   using Style = ExperimentSeries::Style;
   ExperimentPlot plot{caption, "", y_axis, {}, std::move(categories)};
@@ -107,8 +100,8 @@ ExperimentPlot compared_bars(const Message& caption,
   return plot;
 }
 
-ExperimentSeries level_line(
-    const Message& name, ExperimentSeries::Style style, double y, double from_x, double to_x) {
+ExperimentSeries level_line(const Message& name, ExperimentSeries::Style style, double y,
+                            double from_x, double to_x) {
   return {name, style, {from_x, to_x}, {y, y}};
 }
 
@@ -162,13 +155,9 @@ Result<ExperimentOutcome> run_time(const ExperimentBench& bench) {
   outcome.plots.push_back(compared_bars(
       en::say("time of a frame's steps, ours on this computer and the paper's on its own"),
       en::say("time (ms)"),
-      {en::say("edges, shape"),
-       en::say("markers, reference"),
-       en::say("depth, contacts"),
+      {en::say("edges, shape"), en::say("markers, reference"), en::say("depth, contacts"),
        en::say("entire frame")},
-      {upper_median(global_ms),
-       upper_median(reference_ms),
-       upper_median(local_ms),
+      {upper_median(global_ms), upper_median(reference_ms), upper_median(local_ms),
        upper_median(total_ms)},
       {2, 10, 6, 18}));
   outcome.plots.back().series[0].name = en::say("ours, on this computer");

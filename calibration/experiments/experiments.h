@@ -64,15 +64,14 @@ struct ExperimentMaps {
 };
 
 /// Bars side by side. The paper's may be empty.
-[[nodiscard]] ExperimentPlot compared_bars(const Message& caption,
-                                           const Message& y_axis,
+[[nodiscard]] ExperimentPlot compared_bars(const Message& caption, const Message& y_axis,
                                            std::vector<Message> categories,
                                            std::vector<double> simulated,
                                            std::vector<double> paper);
 
 /// A horizontal level from one x to another: a value of the paper, or an aim.
-[[nodiscard]] ExperimentSeries level_line(
-    const Message& name, ExperimentSeries::Style style, double y, double from_x, double to_x);
+[[nodiscard]] ExperimentSeries level_line(const Message& name, ExperimentSeries::Style style,
+                                          double y, double from_x, double to_x);
 
 /// One number that an experiment measures.
 struct ExperimentFigure {

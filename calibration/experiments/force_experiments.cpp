@@ -76,10 +76,8 @@ std::vector<ExperimentPlot> force_plots(const HeldOutForces& forces) {
   using Style = ExperimentSeries::Style;
   ExperimentPlot bars =
       compared_bars(en::say("mean error of the force, ours simulated and the paper's measured"),
-                    en::say("mean error (N)"),
-                    {en::say("Fx"), en::say("Fy")},
-                    {forces.error_N[0].mean(), forces.error_N[1].mean()},
-                    {kPaperFx_N, kPaperFy_N});
+                    en::say("mean error (N)"), {en::say("Fx"), en::say("Fy")},
+                    {forces.error_N[0].mean(), forces.error_N[1].mean()}, {kPaperFx_N, kPaperFy_N});
   bars.series.push_back(level_line(en::say("target"), Style::kAim, kAimForce_N, -0.5, 1.5));
   ExperimentPlot along{
       en::say("error along the finger: pushes near the base move the markers least"),
@@ -110,8 +108,7 @@ ForceTraining training_of_experiments() {
   return training;
 }
 
-Result<ForceTable> table_of_pushes(const ExperimentBench& bench,
-                                   const std::string& scene,
+Result<ForceTable> table_of_pushes(const ExperimentBench& bench, const std::string& scene,
                                    int positions) {
   std::vector<MarkerFrame> frames;
   ForceGauge gauge;
@@ -148,15 +145,9 @@ Result<ExperimentOutcome> run_force(const ExperimentBench& bench) {
   ExperimentOutcome outcome;
   outcome.frames = held_out.rows;
   outcome.figures = {
-      {en::say("Fx, mean error at positions held out"),
-       "N",
-       error_N[0].mean(),
-       kPaperFx_N,
+      {en::say("Fx, mean error at positions held out"), "N", error_N[0].mean(), kPaperFx_N,
        kAimForce_N},
-      {en::say("Fy, mean error at positions held out"),
-       "N",
-       error_N[1].mean(),
-       kPaperFy_N,
+      {en::say("Fy, mean error at positions held out"), "N", error_N[1].mean(), kPaperFy_N,
        kAimForce_N},
       {en::say("Fx, the same for the worst finger"), "N", held_out.worst_N[0], {}, {}},
       {en::say("Fy, the same for the worst finger"), "N", held_out.worst_N[1], {}, {}},
@@ -167,9 +158,7 @@ Result<ExperimentOutcome> run_force(const ExperimentBench& bench) {
       en::say("{} fingers drawn at random, 484 pushes each at {} positions, some of which are held "
               "out entirely; {} pushes are measured, the others show too few markers. Forces act "
               "on the finger, in the camera's axes, without a gauge's error",
-              kFingerVariants,
-              kForcePositions,
-              held_out.rows),
+              kFingerVariants, kForcePositions, held_out.rows),
       en::say("No drag acts along the finger: it hardly moves a marker, so no marker shows it")};
   outcome.plots = force_plots(held_out);
   return outcome;
@@ -280,8 +269,8 @@ Result<ExperimentOutcome> run_min_force(const ExperimentBench& bench) {
   if (!frames) return frames.error();
   // The dots' rest positions come from the frame in which nothing pushes. The recording's rest
   // frame is one of its poses, slightly bent.
-  const auto free = std::find_if(
-      pushes.begin(), pushes.end(), [](const PushedFrame& frame) { return !frame.contact; });
+  const auto free = std::find_if(pushes.begin(), pushes.end(),
+                                 [](const PushedFrame& frame) { return !frame.contact; });
   if (free == pushes.end() || !free->markers) return no_result(kScene);
   ContactSettings rested = bench.finger().finger.contact.value_or(ContactSettings{});
   rested.rest_markers.clear();
@@ -321,9 +310,7 @@ Result<ExperimentOutcome> run_min_force(const ExperimentBench& bench) {
     outcome.figures.push_back({face_phrase(face), "N", most_N, kPaperMin_N, kPaperMin_N});
   }
   plot.series.push_back(level_line(en::say("paper, at most, measured"),
-                                   ExperimentSeries::Style::kAim,
-                                   kPaperMin_N,
-                                   -0.6,
+                                   ExperimentSeries::Style::kAim, kPaperMin_N, -0.6,
                                    static_cast<double>(plot.categories.size()) - 0.4));
   outcome.plots.push_back(std::move(plot));
   outcome.remarks = {

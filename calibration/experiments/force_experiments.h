@@ -21,8 +21,7 @@ struct ExperimentBench::TrainedVariant {
 /// repeats after `positions` frames, form one block. Errors: those of the bench; too few frames
 /// with markers.
 [[nodiscard]] Result<ForceTable> table_of_pushes(const ExperimentBench& bench,
-                                                 const std::string& scene,
-                                                 int positions);
+                                                 const std::string& scene, int positions);
 
 /// Training settings of the experiments.
 [[nodiscard]] ForceTraining training_of_experiments();

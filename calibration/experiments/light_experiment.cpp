@@ -32,16 +32,10 @@ double change_percent(const ErrorsOfRooms& rooms, Of of) {
   return 100 * (most - least) / least;
 }
 
-double position_of_room(const RoomErrors& room) {
-  return room.position_mm.mean();
-}
-double force_of_room(const RoomErrors& room) {
-  return room.force_N.mean();
-}
+double position_of_room(const RoomErrors& room) { return room.position_mm.mean(); }
+double force_of_room(const RoomErrors& room) { return room.force_N.mean(); }
 
-double level_of_room(std::size_t room) {
-  return kGreyPer1000Lux * kRooms_lux[room] / 1000.0;
-}
+double level_of_room(std::size_t room) { return kGreyPer1000Lux * kRooms_lux[room] / 1000.0; }
 
 /// The frames of a finger in all rooms.
 Result<int> measure_rooms(const ExperimentBench& bench, ErrorsOfRooms& rooms) {
@@ -50,8 +44,7 @@ Result<int> measure_rooms(const ExperimentBench& bench, ErrorsOfRooms& rooms) {
     ExperimentBench::Measuring room;
     room.room_level = level_of_room(i);
     const auto contact_frames =
-        bench.measure("experiment_room_light",
-                      room,
+        bench.measure("experiment_room_light", room,
                       [&](std::size_t, const Truth& truth, const FrameResult& result) {
                         if (!result.regions.empty())
                           rooms[i].position_mm.add(
@@ -59,8 +52,7 @@ Result<int> measure_rooms(const ExperimentBench& bench, ErrorsOfRooms& rooms) {
                       });
     if (!contact_frames) return contact_frames.error();
     const auto pushed = bench.measure(
-        "experiment_room_force",
-        room,
+        "experiment_room_force", room,
         [&](std::size_t, const Truth& truth, const FrameResult& result) {
           if (!result.force) return;
           const Eigen::Vector3d truly_N = truth.contacts.front().force_N.value();
@@ -80,12 +72,10 @@ Result<double> depth_error_mm(const ExperimentBench& bench, bool correct_light) 
   measuring.settings.front().correct_light = correct_light;
   Evaluator errors(bench.finger().camera);
   const auto frames =
-      bench.measure("experiment_room_light",
-                    measuring,
+      bench.measure("experiment_room_light", measuring,
                     [&](std::size_t, const Truth& truth, const FrameResult& result) {
                       if (!result.depth) return errors.add_missing();
-                      errors.add(truth,
-                                 result.depth->depth_mm,
+                      errors.add(truth, result.depth->depth_mm,
                                  contact_face_points_mm(result, bench.finger().finger.face),
                                  result.markers.value_or(Markers{}));
                     });
@@ -106,16 +96,10 @@ std::vector<ExperimentPlot> light_plots(const ErrorsOfRooms& rooms) {
   return {
       compared_bars(
           en::say("position error in rooms of different light; the paper gives no figure by room"),
-          en::say("mean position error (mm)"),
-          names,
-          position_mm,
-          {}),
+          en::say("mean position error (mm)"), names, position_mm, {}),
       compared_bars(
           en::say("force error in rooms of different light, with a model trained in the dark"),
-          en::say("mean error of Fx and Fy (N)"),
-          names,
-          force_N,
-          {})};
+          en::say("mean error of Fx and Fy (N)"), names, force_N, {})};
 }
 
 }  // namespace

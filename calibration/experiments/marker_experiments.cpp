@@ -97,11 +97,7 @@ Result<ExperimentOutcome> run_direction(const ExperimentBench& bench) {
   }
   if (angles.count == 0) return no_result("experiment_direction");
   outcome.figures = {
-      {en::say("pushes with the correct side of 8"),
-       "%",
-       percent_of(right, pushed),
-       98.1,
-       99.5,
+      {en::say("pushes with the correct side of 8"), "%", percent_of(right, pushed), 98.1, 99.5,
        true},
       {en::say("direction of a push in the image, mean error"), "degrees", angles.mean(), {}, {}},
       {en::say("direction of a push in the image, maximum error"),
@@ -111,10 +107,8 @@ Result<ExperimentOutcome> run_direction(const ExperimentBench& bench) {
        {}},
   };
   outcome.plots.push_back(compared_bars(en::say("pushes with the correct side of 8"),
-                                        en::say("correct (%)"),
-                                        {en::say("one of 8 sides")},
-                                        {percent_of(right, pushed)},
-                                        {98.1}));
+                                        en::say("correct (%)"), {en::say("one of 8 sides")},
+                                        {percent_of(right, pushed)}, {98.1}));
   outcome.plots.push_back(
       {en::say("error of a push's direction in the image; sides begin at 22.5 degrees and every 45 "
                "from there; the paper gives no figure for it"),
@@ -131,8 +125,8 @@ Result<ExperimentOutcome> run_direction(const ExperimentBench& bench) {
 
 Result<ExperimentOutcome> run_references(const ExperimentBench& bench) {
   static constexpr double kClose_px = 40;  // summed over the dots, as in the paper
-  static constexpr std::array kMethods{
-      ReferenceMethod::kSingle, ReferenceMethod::kNearest, ReferenceMethod::kLocal};
+  static constexpr std::array kMethods{ReferenceMethod::kSingle, ReferenceMethod::kNearest,
+                                       ReferenceMethod::kLocal};
   ExperimentBench::Measuring measuring;
   measuring.truth = TruthDetail::kAll;
   measuring.settings.resize(kMethods.size());
@@ -142,8 +136,7 @@ Result<ExperimentOutcome> run_references(const ExperimentBench& bench) {
   std::vector<Evaluator> errors(kMethods.size(), Evaluator(bench.finger().camera));
   NearReferences near;
   const auto frames = bench.measure(
-      kReferencesScene,
-      measuring,
+      kReferencesScene, measuring,
       [&](std::size_t which, const Truth& truth, const FrameResult& result) {
         if (kMethods[which] == ReferenceMethod::kLocal) near.add(bench.library(), result);
         if (result.reference && result.markers) {
@@ -152,8 +145,7 @@ Result<ExperimentOutcome> run_references(const ExperimentBench& bench) {
           distances_px[which].push_back(sum_px);
         }
         if (!result.depth) return errors[which].add_missing();
-        errors[which].add(truth,
-                          result.depth->depth_mm,
+        errors[which].add(truth, result.depth->depth_mm,
                           contact_face_points_mm(result, bench.finger().finger.face),
                           result.markers.value_or(Markers{}));
       });
@@ -298,9 +290,7 @@ struct MarkerTally {
   [[nodiscard]] double found_percent() const { return percent_of(found, in_sight); }
 };
 
-double rms_of(double squares, int count) {
-  return std::sqrt(squares / std::max(1, count));
-}
+double rms_of(double squares, int count) { return std::sqrt(squares / std::max(1, count)); }
 
 /// One method over all difficulties.
 struct MethodTally {
@@ -356,9 +346,7 @@ void add_figures(const Message& name, MarkerTally& tally, std::vector<Experiment
       {en::say("{}: time of a frame, median", name), "ms", upper_median(tally.ms), {}, {}});
 }
 
-ExperimentPlot bars_of(const Message& caption,
-                       const Message& y_axis,
-                       const MethodTallies& tallies,
+ExperimentPlot bars_of(const Message& caption, const Message& y_axis, const MethodTallies& tallies,
                        std::optional<double> (*figure)(const MarkerTally& tally)) {
   ExperimentPlot plot{caption, en::say("what is difficult"), y_axis, {}, {}};
   for (const Difficulty& difficulty : difficulties()) plot.categories.push_back(difficulty.name);
@@ -396,14 +384,11 @@ Result<ExperimentOutcome> run_markers(const ExperimentBench& bench) {
   for (std::size_t index = 0; index < all.size(); ++index)
     add_figures(all[index].name, tallies[index].all, outcome.figures);
   outcome.plots = {
-      bars_of(en::say("visible markers that are found, each frame by itself"),
-              en::say("found (%)"),
+      bars_of(en::say("visible markers that are found, each frame by itself"), en::say("found (%)"),
               tallies,
               [](const MarkerTally& tally) { return std::optional(tally.found_percent()); }),
       bars_of(en::say("how far hidden markers are from their reported positions"),
-              en::say("root mean square (px)"),
-              tallies,
-              [](const MarkerTally& tally) {
+              en::say("root mean square (px)"), tallies, [](const MarkerTally& tally) {
                 const double rms = rms_of(tally.hidden_square_px2, tally.hidden);
                 return tally.hidden > 0 ? std::optional(rms) : std::nullopt;
               })};

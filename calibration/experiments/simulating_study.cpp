@@ -109,11 +109,8 @@ struct FullFrame {
 
 class SimulatingRun {
  public:
-  SimulatingRun(const EditedScene& scene,
-                const Plan& full,
-                std::optional<Pipeline> pipeline,
-                int max_frames,
-                std::uint64_t seed)
+  SimulatingRun(const EditedScene& scene, const Plan& full, std::optional<Pipeline> pipeline,
+                int max_frames, std::uint64_t seed)
       : scene_(scene),
         full_(full),
         pipeline_(std::move(pipeline)),
@@ -216,8 +213,7 @@ class SimulatingRun {
       }
   }
 
-  static void add_changes(const cv::Mat& depth,
-                          const FullFrame& full,
+  static void add_changes(const cv::Mat& depth, const FullFrame& full,
                           std::vector<float>& changes) {
     if (depth.empty() || full.depth_mm.empty()) return;
     for (int v = 0; v < depth.rows; ++v)
@@ -256,11 +252,8 @@ std::string micrometres_or_dash(const std::optional<double>& mm) {
 
 }  // namespace
 
-Result<SimulatingStudy> study_simulating(const std::filesystem::path& file,
-                                         const FingerPtr& finger,
-                                         int max_frames,
-                                         std::uint64_t seed,
-                                         const Job& job) {
+Result<SimulatingStudy> study_simulating(const std::filesystem::path& file, const FingerPtr& finger,
+                                         int max_frames, std::uint64_t seed, const Job& job) {
   const auto scene = EditedScene::read(file);
   if (!scene) return scene.error();
   const auto full = scene->plan({}, seed);
@@ -283,8 +276,7 @@ Result<SimulatingStudy> study_simulating(const std::filesystem::path& file,
   const StudyClock clock;
   for (std::size_t i = 0; i < scene->names().size(); ++i) {
     if (job.stop_requested()) return Error{en::say("stopped before the study was over"), "", ""};
-    clock.report(job,
-                 static_cast<double>(i) / static_cast<double>(scene->names().size()),
+    clock.report(job, static_cast<double>(i) / static_cast<double>(scene->names().size()),
                  en::say("leaving out {}", scene->names()[i]));
     auto row = run.measure_without(i);
     if (!row) return row.error();
@@ -294,14 +286,8 @@ Result<SimulatingStudy> study_simulating(const std::filesystem::path& file,
 }
 
 std::string text_of(const SimulatingStudy& study) {
-  std::string text = fmt::format("{:<20} {:>9} {:>8} {:>10} {:>12} {:>10} {:>8}\n",
-                                 "without",
-                                 "ms",
-                                 "ratio",
-                                 "grey rms",
-                                 "answer (um)",
-                                 "error (um)",
-                                 "95 %");
+  std::string text = fmt::format("{:<20} {:>9} {:>8} {:>10} {:>12} {:>10} {:>8}\n", "without", "ms",
+                                 "ratio", "grey rms", "answer (um)", "error (um)", "95 %");
   for (const SimulatingRow& row : study.rows) {
     const std::string name = row.effect.empty() ? "nothing" : row.effect;
     if (!row.needed.empty()) {
@@ -309,11 +295,8 @@ std::string text_of(const SimulatingStudy& study) {
       continue;
     }
     text += fmt::format(
-        "{:<20} {:>9.2f} {:>8.3f} {:>10} {:>12} {:>10} {:>8}\n",
-        name,
-        row.render_ms,
-        row.time_ratio,
-        row.grey_rms ? fmt::format("{:.2f}", *row.grey_rms) : "-",
+        "{:<20} {:>9.2f} {:>8.3f} {:>10} {:>12} {:>10} {:>8}\n", name, row.render_ms,
+        row.time_ratio, row.grey_rms ? fmt::format("{:.2f}", *row.grey_rms) : "-",
         micrometres_or_dash(row.depth_change_mm),
         micrometres_or_dash(row.depth ? std::optional(row.depth->median_mm) : std::nullopt),
         micrometres_or_dash(row.depth ? std::optional(row.depth->p95_mm) : std::nullopt));
@@ -339,18 +322,15 @@ std::string svg_of(const SimulatingStudy& study) {
     dot.x = std::max(0.0, full_ms * (1 - row.time_ratio));
     dot.y = study.no_depth_reason.empty() ? 1000 * *change : *change;
     dot.is_on_front = true;
-    dot.words = fmt::format("without {}: {:.2f} ms less, grey levels change by {:.1f}",
-                            row.effect,
-                            dot.x,
-                            row.grey_rms.value_or(0));
+    dot.words = fmt::format("without {}: {:.2f} ms less, grey levels change by {:.1f}", row.effect,
+                            dot.x, row.grey_rms.value_or(0));
     if (row.depth_change_mm)
       dot.words += fmt::format(", depth by {:.1f} \u00b5m", 1000 * *row.depth_change_mm);
     plot.dots.push_back(std::move(dot));
   }
   for (std::size_t i = 0; i < plot.dots.size(); ++i) plot.named.push_back(i);
-  std::stable_sort(plot.named.begin(), plot.named.end(), [&](std::size_t a, std::size_t b) {
-    return plot.dots[a].y > plot.dots[b].y;
-  });
+  std::stable_sort(plot.named.begin(), plot.named.end(),
+                   [&](std::size_t a, std::size_t b) { return plot.dots[a].y > plot.dots[b].y; });
   return svg_of(plot);
 }
 
@@ -362,13 +342,8 @@ std::string csv_of(const SimulatingStudy& study) {
       "without,can_be_left_out,frames,render_ms,time_ratio,grey_rms,answer_mm,depth_median_mm,"
       "depth_p95_mm\n";
   for (const SimulatingRow& row : study.rows)
-    csv += fmt::format("{},{},{},{},{},{},{},{},{}\n",
-                       row.effect,
-                       row.needed.empty() ? 1 : 0,
-                       row.frames,
-                       row.render_ms,
-                       row.time_ratio,
-                       number(row.grey_rms),
+    csv += fmt::format("{},{},{},{},{},{},{},{},{}\n", row.effect, row.needed.empty() ? 1 : 0,
+                       row.frames, row.render_ms, row.time_ratio, number(row.grey_rms),
                        number(row.depth_change_mm),
                        number(row.depth ? std::optional(row.depth->median_mm) : std::nullopt),
                        number(row.depth ? std::optional(row.depth->p95_mm) : std::nullopt));
@@ -425,8 +400,7 @@ Status add_bars(const ExperimentBench& bench, int frames, StudyWorld& world) {
 }  // namespace
 
 Result<StudyWorld> simulated_world(const std::filesystem::path& folder,
-                                   const StudyWorldOptions& options,
-                                   const Job& job) {
+                                   const StudyWorldOptions& options, const Job& job) {
   BenchOptions bench_options;
   bench_options.folder = folder;
   bench_options.seed = options.seed;

@@ -43,10 +43,8 @@ struct SimulatingStudy {
 ///   finger: that measures the images, calibrated, with its reference; null: none
 ///   max_frames: evenly over the scene; seed: of the scene
 [[nodiscard]] Result<SimulatingStudy> study_simulating(const std::filesystem::path& scene,
-                                                       const FingerPtr& finger,
-                                                       int max_frames,
-                                                       std::uint64_t seed,
-                                                       const Job& job);
+                                                       const FingerPtr& finger, int max_frames,
+                                                       std::uint64_t seed, const Job& job);
 
 /// A line a row, with a header line; the change without an effect, and the time that it saves.
 [[nodiscard]] std::string text_of(const SimulatingStudy& study);
@@ -62,7 +60,6 @@ struct SimulatingStudy {
 ///   folder: for that finger; those of earlier studies are removed
 /// Errors: those of ExperimentBench; stopped.
 [[nodiscard]] Result<StudyWorld> simulated_world(const std::filesystem::path& folder,
-                                                 const StudyWorldOptions& options,
-                                                 const Job& job);
+                                                 const StudyWorldOptions& options, const Job& job);
 
 }  // namespace alltact

@@ -51,8 +51,7 @@ bool has_form(const std::vector<ExportForm>& forms, ExportForm form) {
   return std::find(forms.begin(), forms.end(), form) != forms.end();
 }
 
-Result<std::vector<Part>> texts(const Finger& finger,
-                                const fs::path& finger_folder,
+Result<std::vector<Part>> texts(const Finger& finger, const fs::path& finger_folder,
                                 const std::vector<ExportForm>& forms) {
   std::vector<Part> parts;
   for (const FormText& one : kTexts) {
@@ -91,8 +90,7 @@ Result<std::vector<ZipEntry>> files_below(const fs::path& finger_folder,
     if (is_folder || !entry->is_regular_file(ignored))
       return Error{is_folder ? en::say("is a link to another folder, which a zip cannot hold")
                              : en::say("is neither a file nor a folder, so a zip cannot hold it"),
-                   entry->path().string(),
-                   en::say("moving it out of the finger's folder")};
+                   entry->path().string(), en::say("moving it out of the finger's folder")};
     if (std::find(left_out.begin(), left_out.end(), entry->path()) != left_out.end()) continue;
     const fs::path name = "finger" / entry->path().lexically_relative(finger_folder);
     entries.push_back({name.generic_string(), entry->path(), {}});
@@ -101,19 +99,16 @@ Result<std::vector<ZipEntry>> files_below(const fs::path& finger_folder,
     return Error{en::say("the finger's folder could not be read: {}", failed.message()),
                  finger_folder.string(),
                  en::say("check its permissions, and that its disk is connected")};
-  std::sort(entries.begin(), entries.end(), [](const ZipEntry& a, const ZipEntry& b) {
-    return a.name < b.name;
-  });
+  std::sort(entries.begin(), entries.end(),
+            [](const ZipEntry& a, const ZipEntry& b) { return a.name < b.name; });
   return entries;
 }
 
-Result<std::vector<ZipEntry>> zip_entries(const Finger& finger,
-                                          const fs::path& finger_folder,
+Result<std::vector<ZipEntry>> zip_entries(const Finger& finger, const fs::path& finger_folder,
                                           const fs::path& folder) {
   if (is_below(folder, finger_folder))
     return Error{en::say("a zip of the finger cannot be in the finger's own folder"),
-                 folder.string(),
-                 en::say("another folder")};
+                 folder.string(), en::say("another folder")};
   auto json = json_of(finger, finger_folder);
   if (!json) return json.error();
   std::vector<fs::path> left_out = unused_recordings(finger, finger_folder);
@@ -142,16 +137,13 @@ std::optional<ExportForm> export_form_from(std::string_view word) {
   return std::nullopt;
 }
 
-std::string export_command(const fs::path& finger_folder,
-                           const std::vector<ExportForm>& forms,
+std::string export_command(const fs::path& finger_folder, const std::vector<ExportForm>& forms,
                            const fs::path& folder) {
   std::vector<std::string_view> words;
   for (const ExportFormInfo& info : export_forms())
     if (has_form(forms, info.form)) words.push_back(info.word);
-  return fmt::format("alltact export {} --to {} -o {}",
-                     shell_quoted(finger_folder.string()),
-                     fmt::join(words, ","),
-                     shell_quoted(folder.string()));
+  return fmt::format("alltact export {} --to {} -o {}", shell_quoted(finger_folder.string()),
+                     fmt::join(words, ","), shell_quoted(folder.string()));
 }
 
 std::vector<fs::path> unused_recordings(const Finger& finger, const fs::path& finger_folder) {
@@ -169,11 +161,8 @@ std::vector<fs::path> unused_recordings(const Finger& finger, const fs::path& fi
   return found;
 }
 
-Status export_finger(const FingerSnapshot& snapshot,
-                     const std::vector<ExportForm>& forms,
-                     const fs::path& folder,
-                     const Job& job,
-                     std::vector<fs::path>* written) {
+Status export_finger(const FingerSnapshot& snapshot, const std::vector<ExportForm>& forms,
+                     const fs::path& folder, const Job& job, std::vector<fs::path>* written) {
   const Finger& finger = snapshot.finger;
   const fs::path& finger_folder = snapshot.folder;
   const auto parts = texts(finger, finger_folder, forms);

@@ -50,8 +50,7 @@ struct ExportFormInfo {
 /// exist, also when an error is returned.
 [[nodiscard]] Status export_finger(const FingerSnapshot& snapshot,
                                    const std::vector<ExportForm>& forms,
-                                   const std::filesystem::path& folder,
-                                   const Job& job,
+                                   const std::filesystem::path& folder, const Job& job,
                                    std::vector<std::filesystem::path>* written);
 
 }  // namespace alltact

@@ -118,8 +118,7 @@ Json reference_json(const ReferenceFiles& files) {
 
 }  // namespace
 
-Result<std::string> calibration_json(const Finger& finger,
-                                     const PipelineSettings& settings,
+Result<std::string> calibration_json(const Finger& finger, const PipelineSettings& settings,
                                      const std::optional<Verdict>& worth) {
   Json json;
   json["format"] = "alltact-calibration/1";
@@ -162,8 +161,7 @@ Status has_camera_matrix(const CameraParameters& camera, const std::string& who)
   if (camera.model == CameraModel::kOrthographic) which = en::say("an orthographic camera");
   if (camera.port) which = en::say("a camera behind a window");
   if (which.empty()) return {};
-  return Error{en::say("{} has no camera matrix, so {} cannot describe it", which, who),
-               "",
+  return Error{en::say("{} has no camera matrix, so {} cannot describe it", which, who), "",
                en::say("json, or zip for the entire finger")};
 }
 
@@ -183,11 +181,8 @@ std::string ros_name(const std::string& name) {
 }
 
 std::string ros_matrix(std::string_view key, int rows, const std::vector<double>& data) {
-  return fmt::format("{}:\n  rows: {}\n  cols: {}\n  data: {}\n",
-                     key,
-                     rows,
-                     data.size() / static_cast<std::size_t>(rows),
-                     yaml_numbers(data));
+  return fmt::format("{}:\n  rows: {}\n  cols: {}\n  data: {}\n", key, rows,
+                     data.size() / static_cast<std::size_t>(rows), yaml_numbers(data));
 }
 
 }  // namespace
@@ -195,15 +190,8 @@ std::string ros_matrix(std::string_view key, int rows, const std::vector<double>
 Result<std::string> opencv_camera(const Finger& finger) {
   const CameraParameters& camera = finger.camera;
   if (Status status = has_camera_matrix(camera, "OpenCV"); !status) return status.error();
-  const cv::Mat matrix = (cv::Mat_<double>(3, 3) << camera.fx_px,
-                          0,
-                          camera.cx_px,
-                          0,
-                          camera.fy_px,
-                          camera.cy_px,
-                          0,
-                          0,
-                          1);
+  const cv::Mat matrix = (cv::Mat_<double>(3, 3) << camera.fx_px, 0, camera.cx_px, 0, camera.fy_px,
+                          camera.cy_px, 0, 0, 1);
   // Pixels are those after orientation, the centre of the top-left one at (0, 0), as in OpenCV.
   cv::FileStorage file(".yaml", cv::FileStorage::WRITE | cv::FileStorage::MEMORY);
   file << "camera_name" << finger.name;
@@ -223,10 +211,8 @@ Result<std::string> ros_camera_info(const Finger& finger) {
   if (camera.orientation != Orientation::kNone)
     text = fmt::format("# Of the camera's picture after this turn: {}\n",
                        to_string(camera.orientation));
-  text += fmt::format("image_width: {}\nimage_height: {}\ncamera_name: {}\n",
-                      camera.width_px,
-                      camera.height_px,
-                      yaml_text(ros_name(finger.name)));
+  text += fmt::format("image_width: {}\nimage_height: {}\ncamera_name: {}\n", camera.width_px,
+                      camera.height_px, yaml_text(ros_name(finger.name)));
   text += ros_matrix("camera_matrix", 3, {fx, 0, cx, 0, fy, cy, 0, 0, 1});
   text += fmt::format("distortion_model: {}\n",
                       camera.model == CameraModel::kFisheye ? "equidistant" : "plumb_bob");
@@ -297,8 +283,7 @@ Texts contact_lines(const ContactSettings& contact) {
     u.push_back(marker.x());
     v.push_back(marker.y());
   }
-  return {number("threshold_px", contact.threshold_px),
-          numbers("rest_markers_u_px", u),
+  return {number("threshold_px", contact.threshold_px), numbers("rest_markers_u_px", u),
           numbers("rest_markers_v_px", v)};
 }
 

@@ -21,8 +21,7 @@ namespace alltact {
 [[nodiscard]] Result<std::string> ros_parameters(const Finger& finger);
 /// `worth`: current verdict on the calibration; empty: not written.
 [[nodiscard]] Result<std::string> calibration_json(
-    const Finger& finger,
-    const PipelineSettings& settings = {},
+    const Finger& finger, const PipelineSettings& settings = {},
     const std::optional<Verdict>& worth = std::nullopt);
 
 // Camera and face for other programs, alike in files and streams.

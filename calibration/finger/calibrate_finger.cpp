@@ -135,8 +135,7 @@ void sign_inputs(const CalibrationWork& work, FingerCalibration& done) {
   if (work.is_repetition && inputs.program_version != work.stored.program_version)
     done.warnings.push_back(en::say(
         "The finger was calibrated by version {}: this is a new calibration, by version {}.",
-        work.stored.program_version,
-        inputs.program_version));
+        work.stored.program_version, inputs.program_version));
   const auto reference = done.finger.provenance.find("reference_date");
   const std::string now =
       utc_not_before(reference == done.finger.provenance.end() ? "" : reference->second);
@@ -151,8 +150,7 @@ Status write_presses(const CalibrationWork& work, const fs::path& folder) {
   const fs::path stored = folder / kPressFolder;
   if (const Status status = make_folder(stored); !status) return status;
   for (const FramePtr& frame : work.frames) {
-    const Status status = write_image(stored / (frame->name + ".png"),
-                                      frame->grey,
+    const Status status = write_image(stored / (frame->name + ".png"), frame->grey,
                                       frame->controls ? *frame->controls : std::string());
     if (!status) return status;
   }
@@ -196,8 +194,7 @@ Status write(const CalibrationWork& work, FingerCalibration& done, const Job& jo
   auto saved = work.store->update([&](Finger& now) -> Status {
     if (finger_checksum(now) != done.inputs.finger_checksum)
       return Error{en::say("its camera, face or markers were changed while it was calibrated"),
-                   work.store->folder() / Finger::kFileName,
-                   en::say("calibrating again")};
+                   work.store->folder() / Finger::kFileName, en::say("calibrating again")};
     take_calibration(done.finger, now);
     if (work.untouched) take_reference(done.finger, now);
     return commit_with(now, *change);
@@ -219,8 +216,7 @@ Result<FingerCalibration> run(CalibrationWork work, CalibrationInputs inputs, co
   done.warnings = (*finger)->warnings;
   if (work.untouched && done.finger.face.kind != FaceKind::kFlat) {
     return Error{
-        en::say("only a flat sensor has a single untouched image"),
-        work.untouched->origin,
+        en::say("only a flat sensor has a single untouched image"), work.untouched->origin,
         en::say("leaving --reference out; this finger is compared with its reference recording")};
   }
   if (const Status status = take_presses(work, done, job); !status) return status.error();
@@ -247,12 +243,8 @@ Result<FingerCalibration> run(CalibrationWork work, CalibrationInputs inputs, co
 void take_calibration(const Finger& from, Finger& finger) {
   finger.mapping = from.mapping;
   finger.mapping_record = from.mapping_record;
-  for (const char* key : {"calibration_date",
-                          "calibration_inputs",
-                          "calibration_version",
-                          "operator",
-                          "ball_radius_mm",
-                          kPressSettings})
+  for (const char* key : {"calibration_date", "calibration_inputs", "calibration_version",
+                          "operator", "ball_radius_mm", kPressSettings})
     copy_provenance(from, key, finger);
 }
 
@@ -277,11 +269,9 @@ Result<FingerCalibration> calibrate_finger(const FingerCalibrationInput& input, 
   return run(std::move(work), std::move(inputs), job);
 }
 
-Result<FingerCalibration> calibrate_finger_again(const fs::path& folder,
-                                                 CalibrationInputs inputs,
+Result<FingerCalibration> calibrate_finger_again(const fs::path& folder, CalibrationInputs inputs,
                                                  const std::string& program_version,
-                                                 const MakeReport& make_report,
-                                                 const Job& job) {
+                                                 const MakeReport& make_report, const Job& job) {
   auto stored = CalibrationInputs::load(folder);
   if (!stored) return stored.error();
   CalibrationWork work;

@@ -55,9 +55,8 @@ CalibrationBasis basis_of(const FingerCalibration& done) {
   }
   // 0 stands for an external measure of the scale: a punch with a step, or a measured depth.
   const bool has_measured_depth =
-      std::any_of(calibration.balls.begin(), calibration.balls.end(), [](const BallFit& ball) {
-        return ball.given_depth.has_value();
-      });
+      std::any_of(calibration.balls.begin(), calibration.balls.end(),
+                  [](const BallFit& ball) { return ball.given_depth.has_value(); });
   if (!calibration.steps.empty() || has_measured_depth) basis.ball_radii_mm.push_back(0);
   std::sort(basis.ball_radii_mm.begin(), basis.ball_radii_mm.end());
   basis.ball_radii_mm.erase(std::unique(basis.ball_radii_mm.begin(), basis.ball_radii_mm.end()),
@@ -82,24 +81,18 @@ CalibrationBasis basis_of(const FingerCalibration& done) {
   return basis;
 }
 
-Error stopped() {
-  return {en::say("stopped before the calibration was done"), "", ""};
-}
+Error stopped() { return {en::say("stopped before the calibration was done"), "", ""}; }
 
 /// Of the untouched image that is to be installed.
 Result<ReferenceLibrary> flat_library(const CalibrationWork& work, const Finger& finger) {
-  const auto grey =
-      oriented_for(finger.camera,
-                   work.untouched->grey,
-                   en::say("the reference image"),
-                   work.untouched->origin,
-                   en::say("the untouched image of this sensor, at the size of its presses"));
+  const auto grey = oriented_for(
+      finger.camera, work.untouched->grey, en::say("the reference image"), work.untouched->origin,
+      en::say("the untouched image of this sensor, at the size of its presses"));
   if (!grey) return grey.error();
   return ReferenceLibrary::single(*grey);
 }
 
-Result<PaperMethod> paper_method_of(const CalibrationWork& work,
-                                    const FingerSnapshot& blank,
+Result<PaperMethod> paper_method_of(const CalibrationWork& work, const FingerSnapshot& blank,
                                     const Job& job) {
   if (!work.untouched) return PaperMethod::create(blank, job);
   auto library = flat_library(work, blank.finger);
@@ -107,8 +100,7 @@ Result<PaperMethod> paper_method_of(const CalibrationWork& work,
   return PaperMethod::flat(std::move(library).value(), blank);
 }
 
-Result<Pipeline> make_pipeline(const CalibrationWork& work,
-                               const FingerCalibration& done,
+Result<Pipeline> make_pipeline(const CalibrationWork& work, const FingerCalibration& done,
                                const Job& job) {
   auto full = FingerSnapshot::of(work.store->folder(), done.finger);
   if (!full) return full.error();
@@ -123,8 +115,8 @@ Result<Pipeline> make_pipeline(const CalibrationWork& work,
     return Pipeline::create(blank, settings_for_presses(done.inputs.pipeline), job);
   auto library = flat_library(work, done.finger);
   if (!library) return library.error();
-  return Pipeline::with_library(
-      std::move(library).value(), blank, settings_for_presses(done.inputs.pipeline));
+  return Pipeline::with_library(std::move(library).value(), blank,
+                                settings_for_presses(done.inputs.pipeline));
 }
 
 /// The stored image must be unchanged since the calibration.
@@ -137,9 +129,7 @@ Status check_stored(const CalibrationWork& work, const Frame& frame, std::size_t
                en::say("calibrating again with the existing images")};
 }
 
-Status measure_presses(CalibrationWork& work,
-                       Pipeline& pipeline,
-                       FingerCalibration& done,
+Status measure_presses(CalibrationWork& work, Pipeline& pipeline, FingerCalibration& done,
                        const Job& job) {
   PressInput input = work.presses;
   input.frames_per_press = static_cast<std::size_t>(done.inputs.calibration.frames_per_press);
@@ -156,8 +146,7 @@ Status measure_presses(CalibrationWork& work,
     const FramePtr frame = *next;
     if (!names.insert(frame->name).second)
       return Error{
-          en::say("two presses are called '{}'", frame->name),
-          frame->origin,
+          en::say("two presses are called '{}'", frame->name), frame->origin,
           en::say("giving the images different names; they are stored by name with the finger")};
     if (const Status status = check_stored(work, *frame, work.frames.size()); !status)
       return status;
@@ -182,8 +171,7 @@ Status check_names(const FingerCalibration& done) {
   for (const TakenPress& press : done.presses) names.insert(press.name);
   for (const auto& [name, note] : done.inputs.press_set.notes)
     if (!names.contains(name))
-      return Error{en::say("no press is named '{}'", name),
-                   "",
+      return Error{en::say("no press is named '{}'", name), "",
                    en::say("one of {}", fmt::format("{}", fmt::join(names, ", ")))};
   return {};
 }
@@ -217,8 +205,7 @@ void apply_notes(const PressSet& press_set, TakenPress& press) {
 }
 
 Result<std::vector<Press>> take_presses_as_paper(const CalibrationWork& work,
-                                                 const FingerCalibration& done,
-                                                 const Job& job) {
+                                                 const FingerCalibration& done, const Job& job) {
   const auto full = FingerSnapshot::of(work.store->folder(), done.finger);
   if (!full) return full.error();
   auto method = paper_method_of(work, full->without_mapping(), job);
@@ -284,8 +271,7 @@ MappingRecord record_of(const FingerCalibration& done) {
 
 Status solve_presses(FingerCalibration& done,
                      const std::vector<std::optional<Reference>>& references,
-                     const MeasureAsPaper& as_paper,
-                     const Job& job,
+                     const MeasureAsPaper& as_paper, const Job& job,
                      const RoundListener& on_round) {
   leave_out_beyond(done.inputs.calibration.presses, done.presses);
   std::vector<Press> used;
@@ -300,15 +286,12 @@ Status solve_presses(FingerCalibration& done,
   const CalibrationInputs& inputs = done.inputs;
   const auto& notes = inputs.press_set.notes;
   if (inputs.calibration.method != CalibrationMethod::kJoint &&
-      std::any_of(notes.begin(), notes.end(), [](const auto& entry) {
-        return entry.second.depth || entry.second.step_mm;
-      }))
-    return Error{en::say("only the joint method uses measured depths and punches with a step"),
-                 "",
+      std::any_of(notes.begin(), notes.end(),
+                  [](const auto& entry) { return entry.second.depth || entry.second.step_mm; }))
+    return Error{en::say("only the joint method uses measured depths and punches with a step"), "",
                  en::say("leaving them out, or --method joint")};
   if (used.empty())
-    return Error{en::clauses({en::say("no press can be used"), en::clauses(left_out)}),
-                 "",
+    return Error{en::clauses({en::say("no press can be used"), en::clauses(left_out)}), "",
                  en::say("images of this finger with a ball pressed into its face")};
   job.report(0.5, en::say("solving"));
   const auto camera = Camera::create(done.finger.camera);
@@ -320,10 +303,9 @@ Status solve_presses(FingerCalibration& done,
   done.is_complete = !job.stop_requested();
   done.failed_presses =
       static_cast<int>(done.calibration.left_out.size() +
-                       static_cast<std::size_t>(std::count_if(
-                           done.presses.begin(), done.presses.end(), [](const TakenPress& press) {
-                             return !press.press;
-                           })));
+                       static_cast<std::size_t>(
+                           std::count_if(done.presses.begin(), done.presses.end(),
+                                         [](const TakenPress& press) { return !press.press; })));
   if (!done.is_complete)
     done.calibration.remarks.push_back(
         en::say("stopped early: this is the best solution so far, without a report; calibrate "
@@ -506,11 +488,9 @@ Contradiction reference_contact(const FingerCalibration& done) {
 
 std::vector<Contradiction> find_contradictions(const FingerCalibration& done) {
   std::vector<Contradiction> all;
-  for (Contradiction& one : std::vector{width_against_camera(done),
-                                        wider_than_ball(done),
-                                        reference_contact(done),
-                                        deeper_than_layer(done),
-                                        beyond_mapping(done)})
+  for (Contradiction& one :
+       std::vector{width_against_camera(done), wider_than_ball(done), reference_contact(done),
+                   deeper_than_layer(done), beyond_mapping(done)})
     if (!one.presses.empty()) all.push_back(std::move(one));
   return all;
 }
@@ -531,8 +511,7 @@ int side_of(const std::vector<ResidualSample>& samples) {
 
 Result<FingerCalibration> forecast_calibration(const Finger& finger,
                                                const std::vector<ReferencedPress>& presses,
-                                               const CalibrationInputs& inputs,
-                                               const Job& job) {
+                                               const CalibrationInputs& inputs, const Job& job) {
   FingerCalibration done;
   done.finger = finger;
   done.inputs = inputs;
@@ -547,8 +526,7 @@ Result<FingerCalibration> forecast_calibration(const Finger& finger,
   return done;
 }
 
-std::optional<PressFit> fit_of_press(const Press& press,
-                                     const Face& face,
+std::optional<PressFit> fit_of_press(const Press& press, const Face& face,
                                      const MappingParameters& mapping,
                                      const Eigen::Vector3d& centre_mm) {
   if (!(press.ball_radius_mm > 0)) return std::nullopt;

@@ -61,8 +61,7 @@ using MeasureAsPaper = std::function<Result<std::vector<Press>>()>;
 /// notes on the presses.
 [[nodiscard]] Status solve_presses(FingerCalibration& done,
                                    const std::vector<std::optional<Reference>>& references,
-                                   const MeasureAsPaper& as_paper,
-                                   const Job& job,
+                                   const MeasureAsPaper& as_paper, const Job& job,
                                    const RoundListener& on_round);
 
 /// The record of a calibration in finger.yaml, next to its mapping.
@@ -87,10 +86,8 @@ struct ReferencedPress {
 /// pipeline's settings are the same. `inputs` holds the settings and the notes on the presses.
 /// Errors: those of solve_presses().
 [[nodiscard]] Result<FingerCalibration> forecast_calibration(
-    const Finger& finger,
-    const std::vector<ReferencedPress>& presses,
-    const CalibrationInputs& inputs,
-    const Job& job);
+    const Finger& finger, const std::vector<ReferencedPress>& presses,
+    const CalibrationInputs& inputs, const Job& job);
 
 /// One press compared with a known mapping, its ball at `centre_mm`: about 12 ms.
 struct PressFit {
@@ -100,8 +97,7 @@ struct PressFit {
   int side_px = 1;  ///< of the squares that the samples are means over
 };
 /// nullopt where nothing of the press lies under the ball.
-[[nodiscard]] std::optional<PressFit> fit_of_press(const Press& press,
-                                                   const Face& face,
+[[nodiscard]] std::optional<PressFit> fit_of_press(const Press& press, const Face& face,
                                                    const MappingParameters& mapping,
                                                    const Eigen::Vector3d& centre_mm);
 

@@ -30,9 +30,7 @@ S read_settings(YamlSection section, const std::vector<Setting<S>>& table) {
 }
 
 template <class S>
-std::string settings_text(const char* name,
-                          const S& settings,
-                          const std::vector<Setting<S>>& table,
+std::string settings_text(const char* name, const S& settings, const std::vector<Setting<S>>& table,
                           const UnknownKeys& unknown) {
   YamlBlock block(name);
   for (const Setting<S>& setting : table)
@@ -42,9 +40,8 @@ std::string settings_text(const char* name,
 }
 
 bool is_checksum(const std::string& text) {
-  return text.size() == 16 && std::all_of(text.begin(), text.end(), [](unsigned char c) {
-           return std::isxdigit(c) != 0;
-         });
+  return text.size() == 16 && std::all_of(text.begin(), text.end(),
+                                          [](unsigned char c) { return std::isxdigit(c) != 0; });
 }
 
 std::string read_checksum(YamlSection& top, const char* key) {
@@ -71,12 +68,11 @@ void read_presses(YamlSection& top, CalibrationInputs& inputs) {
     if (!is_plain_name(names[i]))
       top.refuse("presses", en::say("'{}' is not an image name", printable(names[i])), "");
     if (!is_checksum(checksums[i]))
-      top.refuse(
-          "checksums", en::say("'{}' is not a checksum of 16 digits", printable(checksums[i])), "");
+      top.refuse("checksums",
+                 en::say("'{}' is not a checksum of 16 digits", printable(checksums[i])), "");
     for (std::size_t before = 0; before < i; ++before)
       if (names[before] == names[i])
-        top.refuse("presses",
-                   en::say("lists '{}' twice", printable(names[i])),
+        top.refuse("presses", en::say("lists '{}' twice", printable(names[i])),
                    en::say("delete one of the two"));
     inputs.presses.push_back({names[i], checksums[i]});
   }
@@ -85,8 +81,7 @@ void read_presses(YamlSection& top, CalibrationInputs& inputs) {
 /// Notes are allowed only on existing presses.
 void refuse_unknown(const YamlSection& top, const CalibrationInputs& inputs) {
   for (const auto& [name, note] : inputs.press_set.notes)
-    if (std::none_of(inputs.presses.begin(),
-                     inputs.presses.end(),
+    if (std::none_of(inputs.presses.begin(), inputs.presses.end(),
                      [&name = name](const StoredPress& press) { return press.name == name; }))
       top.refuse("presses",
                  en::say("'{}' is annotated, but is not among the presses", printable(name)),
@@ -96,8 +91,7 @@ void refuse_unknown(const YamlSection& top, const CalibrationInputs& inputs) {
 CalibrationInputs read_inputs(YamlSection& top) {
   CalibrationInputs inputs;
   if (const std::string format = top.text("format"); format != CalibrationInputs::kFormat)
-    top.refuse("format",
-               en::say("'{}' cannot be read by this version", printable(format)),
+    top.refuse("format", en::say("'{}' cannot be read by this version", printable(format)),
                en::say("the version of this program that wrote it, or calibrating again with the "
                        "images in presses/ (this version writes '{}')",
                        std::string(CalibrationInputs::kFormat)));
@@ -134,8 +128,7 @@ Result<CalibrationInputs> CalibrationInputs::load(const fs::path& finger_folder,
   return parse(*content, file, warnings);
 }
 
-Result<CalibrationInputs> CalibrationInputs::parse(const std::string& yaml,
-                                                   const fs::path& origin,
+Result<CalibrationInputs> CalibrationInputs::parse(const std::string& yaml, const fs::path& origin,
                                                    std::vector<Message>* warnings) {
   YamlFile file(origin);
   CalibrationInputs inputs;

@@ -46,9 +46,8 @@ Json press_json(const BallFit& ball, const std::vector<PressResiduals>& residual
   if (ball.given_depth)
     entry["measured_depth"] = {{"mm", ball.given_depth->mm}, {"sd_mm", ball.given_depth->sd_mm}};
   const auto found =
-      std::find_if(residuals.begin(), residuals.end(), [&](const PressResiduals& one) {
-        return one.press == ball.press;
-      });
+      std::find_if(residuals.begin(), residuals.end(),
+                   [&](const PressResiduals& one) { return one.press == ball.press; });
   if (found != residuals.end()) {
     entry["along_mm"] = found->along_mm;
     entry["across_mm"] = found->across_mm;
@@ -99,9 +98,7 @@ Json messages_json(const Calibration& calibration) {
 
 /// Settings that differ from their defaults.
 template <class S>
-void add_settings(const S& settings,
-                  const S& defaults,
-                  const std::vector<Setting<S>>& table,
+void add_settings(const S& settings, const S& defaults, const std::vector<Setting<S>>& table,
                   std::string* command) {
   for (const Setting<S>& setting : table)
     if (setting.get(settings) != setting.get(defaults))
@@ -276,10 +273,8 @@ void read_report(const Json& report, const MappingRecord& record, Calibration& c
   const Json& sentences = there != report.end() && there->is_object() ? *there : kNothing;
   for (const Json& one : list_at(report, "presses")) calibration.balls.push_back(ball_of(one));
   for (const Json& one : list_at(report, "steps"))
-    calibration.steps.push_back({word_at(one, "press"),
-                                 number_at(one, "step_mm"),
-                                 number_at(one, "reads_mm"),
-                                 number_at(one, "sd_mm")});
+    calibration.steps.push_back({word_at(one, "press"), number_at(one, "step_mm"),
+                                 number_at(one, "reads_mm"), number_at(one, "sd_mm")});
   calibration.residual_mm = record.residual_mm;
   calibration.held_out_mm = record.held_out_mm;
   calibration.spread_mm = record.spread_mm;
@@ -309,8 +304,7 @@ Result<FingerCalibration> recall_calibration(const fs::path& folder) {
   recalled.finger = (*finger)->finger;
   const auto& record = recalled.finger.mapping_record;
   if (!recalled.finger.mapping || !record)
-    return Error{en::say("the finger is not calibrated"),
-                 (folder / Finger::kFileName).string(),
+    return Error{en::say("the finger is not calibrated"), (folder / Finger::kFileName).string(),
                  en::say("calibrating it with ball presses")};
   auto inputs = CalibrationInputs::load(folder);
   if (!inputs) return inputs.error();
@@ -320,8 +314,7 @@ Result<FingerCalibration> recall_calibration(const fs::path& folder) {
   if (!content) return content.error();
   const Json report = Json::parse(*content, nullptr, false);
   if (!report.is_object() || !is_of(report, *record))
-    return Error{en::say("this is not the report of the finger's calibration"),
-                 file.string(),
+    return Error{en::say("this is not the report of the finger's calibration"), file.string(),
                  en::say("calibrating again")};
   read_report(report, *record, recalled.calibration);
   recalled.calibration.mapping = *recalled.finger.mapping;
@@ -337,8 +330,7 @@ Result<FingerCalibration> recall_calibration(const fs::path& folder) {
   return recalled;
 }
 
-Result<FingerCalibration> recall_residuals(const fs::path& folder,
-                                           FingerCalibration recalled,
+Result<FingerCalibration> recall_residuals(const fs::path& folder, FingerCalibration recalled,
                                            const Job& job) {
   CalibrationWork work;
   work.store = FingerStore::of(folder);
@@ -442,10 +434,9 @@ std::optional<double> days_between(const std::string& then, const std::string& n
 ReferenceState reference_state(const FingerSnapshot& snapshot) {
   const auto& reference = snapshot.finger.reference;
   if (!reference) return ReferenceState::kAbsent;
-  std::string key = fmt::format("{} {} {}",
-                                snapshot.reduced_by,
-                                camera_fingerprint(snapshot.finger.camera),
-                                snapshot.finger.marker_count());
+  std::string key =
+      fmt::format("{} {} {}", snapshot.reduced_by, camera_fingerprint(snapshot.finger.camera),
+                  snapshot.finger.marker_count());
   for (const std::string& name : {reference->image, reference->video, reference->markers})
     if (!name.empty()) key += '\n' + stamp_of(snapshot.folder / name);
   static StateCache cache;
@@ -456,8 +447,7 @@ ReferenceState reference_state(const FingerSnapshot& snapshot) {
   return state;
 }
 
-CalibrationEvidence evidence_in(const FingerSnapshot& snapshot,
-                                const std::string& now,
+CalibrationEvidence evidence_in(const FingerSnapshot& snapshot, const std::string& now,
                                 const std::string& passed) {
   Finger finger = snapshot.finger;
   if (snapshot.reduced_by > 1) finger.camera = snapshot.full_camera;

@@ -63,8 +63,7 @@ MeasuringFile::Preset read_preset(const std::string& name, YamlSection section) 
 MeasuringFile read_measuring(YamlSection& top) {
   MeasuringFile file;
   if (const std::string format = top.text("format"); format != MeasuringPresets::kFormat)
-    top.refuse("format",
-               en::say("'{}' cannot be read by this version", printable(format)),
+    top.refuse("format", en::say("'{}' cannot be read by this version", printable(format)),
                en::say("studying the finger again"));
   if (top.has("used")) file.used = top.text("used");
   if (top.has_section("used_settings"))
@@ -83,9 +82,7 @@ MeasuringFile read_measuring(YamlSection& top) {
   return file;
 }
 
-fs::path file_in(const fs::path& folder) {
-  return folder / kMeasuringFile;
-}
+fs::path file_in(const fs::path& folder) { return folder / kMeasuringFile; }
 
 /// Empty where there is no such file.
 Result<MeasuringFile> load_measuring(const fs::path& folder) {
@@ -188,11 +185,8 @@ Result<MeasuringPresets> presets_of_finger(const fs::path& folder) {
   stored.is_stale = !file->date.empty() &&
                     !changes_between(stored.calibrated, with_changes({}, file->base)).empty();
   for (const auto& preset : file->presets)
-    stored.presets.push_back({preset.name,
-                              with_changes(stored.calibrated, preset.changes),
-                              preset.frame_ms,
-                              preset.median_mm,
-                              preset.p95_mm});
+    stored.presets.push_back({preset.name, with_changes(stored.calibrated, preset.changes),
+                              preset.frame_ms, preset.median_mm, preset.p95_mm});
   return stored;
 }
 
@@ -207,10 +201,7 @@ Status save_presets(FingerStore& store, const MeasuringPresets& presets) {
       file.base[setting.name] = setting.get(presets.calibrated);
     file.presets.clear();
     for (const MeasuringPreset& preset : presets.presets)
-      file.presets.push_back({preset.name,
-                              preset.frame_ms,
-                              preset.median_mm,
-                              preset.p95_mm,
+      file.presets.push_back({preset.name, preset.frame_ms, preset.median_mm, preset.p95_mm,
                               changes_between(presets.calibrated, preset.settings)});
   });
 }
@@ -239,8 +230,7 @@ Result<PipelineSettings> preset_settings(const fs::path& folder, const std::stri
   if (const MeasuringPreset* preset = stored->find(name)) return preset->settings;
   if (name == "balanced" || name == "calibrated") return stored->calibrated;
   if (stored->date.empty())
-    return Error{en::say("this finger has no presets: it was not studied yet"),
-                 folder.string(),
+    return Error{en::say("this finger has no presets: it was not studied yet"), folder.string(),
                  en::say("alltact study {} --save", folder.string())};
   std::vector<std::string> names{"calibrated"};
   for (const MeasuringPreset& preset : stored->presets) names.push_back(preset.name);
@@ -249,10 +239,8 @@ Result<PipelineSettings> preset_settings(const fs::path& folder, const std::stri
         name == "fast"
             ? en::say("no setting is faster on this finger without an error half as large again")
             : en::say("no setting is more accurate on this finger than those of its calibration"),
-        folder.string(),
-        en::say("measuring with {}", either(names))};
-  return Error{en::say("'{}' is not a preset of this finger", printable(name)),
-               folder.string(),
+        folder.string(), en::say("measuring with {}", either(names))};
+  return Error{en::say("'{}' is not a preset of this finger", printable(name)), folder.string(),
                en::say("{}", either(names))};
 }
 

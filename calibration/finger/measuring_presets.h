@@ -66,8 +66,7 @@ struct MeasuringPresets {
 /// The finger uses these settings from now on, everywhere: live,
 /// reconstruct, check, in every window.
 ///   name: of the preset, or the request in words; not empty
-[[nodiscard]] Status use_settings(FingerStore& store,
-                                  const PipelineSettings& settings,
+[[nodiscard]] Status use_settings(FingerStore& store, const PipelineSettings& settings,
                                   const std::string& name);
 /// Restores the calibration's settings.
 [[nodiscard]] Status use_calibrated_settings(FingerStore& store);

@@ -30,10 +30,8 @@ Result<std::vector<FramePtr>> read_stored_frames(const FingerSnapshot& finger,
 
 }  // namespace
 
-Result<std::vector<Press>> paper_presses(PaperMethod& method,
-                                         const std::vector<FramePtr>& frames,
-                                         const PressSet& press_set,
-                                         const Job& job) {
+Result<std::vector<Press>> paper_presses(PaperMethod& method, const std::vector<FramePtr>& frames,
+                                         const PressSet& press_set, const Job& job) {
   std::vector<Press> presses;
   Message reason = en::say("all are excluded");
   for (const FramePtr& frame : frames) {
@@ -47,18 +45,13 @@ Result<std::vector<Press>> paper_presses(PaperMethod& method,
       if (!result->problems.empty()) reason = result->problems.front();
       continue;
     }
-    presses.push_back(Press{frame->name,
-                            std::move(*result->difference),
-                            std::move(*result->shape),
-                            press_set.radius_of(frame->name),
-                            note.ball_mm});
+    presses.push_back(Press{frame->name, std::move(*result->difference), std::move(*result->shape),
+                            press_set.radius_of(frame->name), note.ball_mm});
   }
   if (presses.empty())
-    return Error{
-        en::say(
-            "the source paper's method can measure none of {} presses ({})", frames.size(), reason),
-        "",
-        en::say("our own method")};
+    return Error{en::say("the source paper's method can measure none of {} presses ({})",
+                         frames.size(), reason),
+                 "", en::say("our own method")};
   return presses;
 }
 

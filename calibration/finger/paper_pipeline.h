@@ -20,8 +20,7 @@ namespace alltact {
 /// left; stopped.
 [[nodiscard]] Result<std::vector<Press>> paper_presses(PaperMethod& method,
                                                        const std::vector<FramePtr>& frames,
-                                                       const PressSet& press_set,
-                                                       const Job& job);
+                                                       const PressSet& press_set, const Job& job);
 
 /// Measures by the paper's method. The mapping is the finger's where it was calibrated with
 /// --method paper; else that method calibrates in memory, from the finger's stored presses. Errors:

@@ -64,16 +64,13 @@ Markers mean_layout(const std::vector<MarkerFrame>& frames, std::size_t first, s
 /// frame. These are the frames around its time, without a gap, whose markers have not moved. The
 /// limit is 4 times their noise (0.3 to 1.5 px), root mean square, and the neighbouring readings
 /// bound them. -1: none. Frames with times, ascending.
-std::vector<int> held_readings(const std::vector<MarkerFrame>& frames,
-                               const ForceGauge& gauge,
+std::vector<int> held_readings(const std::vector<MarkerFrame>& frames, const ForceGauge& gauge,
                                const GaugeClock& clock) {
   std::vector<int> held(frames.size(), -1);
   const double still_px = std::clamp(kStillNoise * noise_px(frames), kMinStillPx, kMaxStillPx);
   const auto frame_at = [&](double time_s) {
     return static_cast<std::size_t>(
-        std::lower_bound(frames.begin(),
-                         frames.end(),
-                         time_s,
+        std::lower_bound(frames.begin(), frames.end(), time_s,
                          [](const MarkerFrame& f, double t) { return *f.time_s < t; }) -
         frames.begin());
   };
@@ -109,8 +106,7 @@ std::vector<int> held_readings(const std::vector<MarkerFrame>& frames,
 class GaugeLookup {
  public:
   /// `frames` in the order of the look-ups.
-  GaugeLookup(const std::vector<MarkerFrame>& frames,
-              const ForceGauge& gauge,
+  GaugeLookup(const std::vector<MarkerFrame>& frames, const ForceGauge& gauge,
               const GaugeClock& clock)
       : gauge_(gauge), clock_(clock) {
     if (gauge.by_time) {
@@ -133,9 +129,7 @@ class GaugeLookup {
  private:
   [[nodiscard]] std::optional<GaugeReading> between(double time_s) const {
     const auto after =
-        std::lower_bound(gauge_.readings.begin(),
-                         gauge_.readings.end(),
-                         time_s,
+        std::lower_bound(gauge_.readings.begin(), gauge_.readings.end(), time_s,
                          [](const GaugeReading& r, double t) { return r.time_s < t; });
     if (after == gauge_.readings.end()) return std::nullopt;
     if (after->holds || !after->has_force) return std::nullopt;
@@ -157,11 +151,8 @@ class GaugeLookup {
   std::map<std::string, const GaugeReading*> by_name_;
 };
 
-void add_row(const MarkerFrame& frame,
-             const GaugeReading& reading,
-             const ForceGauge& gauge,
-             Eigen::Index row,
-             ForceTable& table) {
+void add_row(const MarkerFrame& frame, const GaugeReading& reading, const ForceGauge& gauge,
+             Eigen::Index row, ForceTable& table) {
   for (Eigen::Index m = 0; m < table.marker_count; ++m) {
     const Marker& marker = frame.markers[static_cast<std::size_t>(m)];
     table.seen(row, m) = marker.seen ? 1 : 0;
@@ -217,14 +208,12 @@ std::vector<MarkerFrame> in_order(const std::vector<MarkerFrame>& frames) {
 
 }  // namespace
 
-Result<CollectedForce> collect_force(const std::vector<MarkerFrame>& all,
-                                     const ForceGauge& gauge,
+Result<CollectedForce> collect_force(const std::vector<MarkerFrame>& all, const ForceGauge& gauge,
                                      const CollectOptions& options) {
   const bool all_timed = std::all_of(
       all.begin(), all.end(), [](const MarkerFrame& frame) { return frame.time_s.has_value(); });
   if (gauge.by_time && !all_timed)
-    return Error{en::say("the recording's frames have no times, the gauge has only times"),
-                 "",
+    return Error{en::say("the recording's frames have no times, the gauge has only times"), "",
                  en::say("a recording of alltact record, or a gauge file with a column 'frame'")};
   const std::vector<MarkerFrame> frames = all_timed ? in_order(all) : all;
   CollectedForce collected;
@@ -261,8 +250,8 @@ Result<CollectedForce> collect_force(const std::vector<MarkerFrame>& all,
   auto checked = ForceTable::parse_part(table.to_csv(), "");
   if (!checked) {
     Error error = checked.error();
-    return Error{
-        error.what, en::say("{} of {} frames have a reading", count, frames.size()), error.advice};
+    return Error{error.what, en::say("{} of {} frames have a reading", count, frames.size()),
+                 error.advice};
   }
   table = std::move(*checked);
   return collected;
@@ -327,8 +316,7 @@ std::optional<double> time_column(std::string_view cell) {
 
 class GaugeReader {
  public:
-  GaugeReader(std::string_view csv,
-              const std::filesystem::path& origin,
+  GaugeReader(std::string_view csv, const std::filesystem::path& origin,
               const GaugeFileOptions& options)
       : lines_(csv), origin_(origin), options_(options) {
     gauge_.is_on_frame_clock = csv.starts_with(kGaugeLogFormat);
@@ -487,8 +475,7 @@ bool add_contact(const nlohmann::json& contact, double& greatest_N, GaugeReading
 
 }  // namespace
 
-Result<ForceGauge> ForceGauge::parse_csv(std::string_view csv,
-                                         const std::filesystem::path& origin,
+Result<ForceGauge> ForceGauge::parse_csv(std::string_view csv, const std::filesystem::path& origin,
                                          const GaugeFileOptions& options) {
   return GaugeReader(csv, origin, options).read();
 }
@@ -496,8 +483,8 @@ Result<ForceGauge> ForceGauge::parse_csv(std::string_view csv,
 Result<ForceGauge> ForceGauge::parse_truth(std::string_view text,
                                            const std::filesystem::path& origin) {
   const auto wrong = [&](Message what) {
-    return Error{
-        std::move(what), origin, en::say("truth.json of a scene whose pushes have forces")};
+    return Error{std::move(what), origin,
+                 en::say("truth.json of a scene whose pushes have forces")};
   };
   const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
   if (!json.is_object() || !json.contains("frames") || !json.at("frames").is_array())
@@ -573,17 +560,14 @@ std::optional<double> capture_time_s(const nlohmann::json& line) {
 }
 
 /// Reads a line of results.jsonl or a frame of truth.json; ignores one without markers.
-void take_markers(const nlohmann::json& line,
-                  const char* seen_key,
+void take_markers(const nlohmann::json& line, const char* seen_key,
                   std::vector<MarkerFrame>& frames) {
   if (!line.is_object() || !line.contains("markers") || !line.contains("frame") ||
       !line.at("frame").is_string())
     return;
   auto markers = markers_from(line.at("markers"), seen_key);
   if (!markers) return;
-  frames.push_back({line.at("frame").get<std::string>(),
-                    capture_time_s(line),
-                    std::move(*markers),
+  frames.push_back({line.at("frame").get<std::string>(), capture_time_s(line), std::move(*markers),
                     region_position(line)});
 }
 
@@ -600,21 +584,18 @@ Result<std::vector<MarkerFrame>> frames_from_file(const std::filesystem::path& f
     while (begin < content->size()) {
       const std::size_t end = std::min(content->find('\n', begin), content->size());
       take_markers(nlohmann::json::parse(content->substr(begin, end - begin), nullptr, false),
-                   "seen",
-                   frames);
+                   "seen", frames);
       begin = end + 1;
     }
   }
   if (frames.empty())
-    return Error{en::say("holds no frame with markers"),
-                 file,
+    return Error{en::say("holds no frame with markers"), file,
                  en::say("results.jsonl of alltact reconstruct, or the recording itself")};
   return frames;
 }
 
 Result<std::vector<MarkerFrame>> measured_frames(const std::vector<std::filesystem::path>& inputs,
-                                                 const FingerSnapshot& finger,
-                                                 const Job& job) {
+                                                 const FingerSnapshot& finger, const Job& job) {
   auto source = open_source(inputs);
   if (!source) return source.error();
   auto pipeline = Pipeline::create(finger, {}, job);
@@ -638,8 +619,7 @@ Result<std::vector<MarkerFrame>> measured_frames(const std::vector<std::filesyst
     frames.push_back(std::move(one));
   }
   if (frames.empty())
-    return Error{en::say("the markers were found in no frame"),
-                 inputs.front(),
+    return Error{en::say("the markers were found in no frame"), inputs.front(),
                  en::say("alltact reconstruct, which reports why")};
   return frames;
 }
@@ -647,8 +627,7 @@ Result<std::vector<MarkerFrame>> measured_frames(const std::vector<std::filesyst
 }  // namespace
 
 Result<std::vector<MarkerFrame>> marker_frames(const std::vector<std::filesystem::path>& inputs,
-                                               const FingerSnapshot& finger,
-                                               const Job& job) {
+                                               const FingerSnapshot& finger, const Job& job) {
   if (inputs.size() == 1)
     if (const auto ending = inputs.front().extension(); ending == ".jsonl" || ending == ".json")
       return frames_from_file(inputs.front());

@@ -56,8 +56,7 @@ struct ForceGauge {
 
   static Result<ForceGauge> load(const std::filesystem::path& file,
                                  const GaugeFileOptions& options = {});
-  static Result<ForceGauge> parse_csv(std::string_view csv,
-                                      const std::filesystem::path& origin,
+  static Result<ForceGauge> parse_csv(std::string_view csv, const std::filesystem::path& origin,
                                       const GaugeFileOptions& options = {});
   static Result<ForceGauge> parse_truth(std::string_view json, const std::filesystem::path& origin);
 };

@@ -75,9 +75,7 @@ struct AdamLayer {
            weights.col(weights.cols() - 1);
   }
   /// Updates the weights; returns the gradient by the inputs.
-  Eigen::MatrixXd step(const Eigen::MatrixXd& inputs,
-                       const Eigen::MatrixXd& gradient,
-                       double rate,
+  Eigen::MatrixXd step(const Eigen::MatrixXd& inputs, const Eigen::MatrixXd& gradient, double rate,
                        int t) {
     constexpr double kFirst = 0.9, kSecond = 0.999, kDecay = 1e-3;
     const Eigen::Index last = weights.cols() - 1;
@@ -113,8 +111,7 @@ ForceRegressor fit_force_ridge(const Eigen::MatrixXd& z, const Eigen::MatrixXd& 
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(zc.transpose() * zc);
     const RidgeSums sums{eigen.eigenvalues().cwiseMax(0.0),
                          eigen.eigenvectors().transpose() * (zc.transpose() * yc),
-                         yc.colwise().squaredNorm().transpose(),
-                         static_cast<double>(z.rows())};
+                         yc.colwise().squaredNorm().transpose(), static_cast<double>(z.rows())};
     const double best = sums.best_lambda();
     constexpr int kHalfDecades = 2;
     for (int i = -kHalfDecades; i <= kHalfDecades; ++i) {
@@ -128,10 +125,8 @@ ForceRegressor fit_force_ridge(const Eigen::MatrixXd& z, const Eigen::MatrixXd& 
   return {ForceLayer{std::move(weights), bias}};
 }
 
-ForceRegressor fit_force_network(const Eigen::MatrixXd& z,
-                                 const Eigen::MatrixXd& force_N,
-                                 const ForceNetworkOptions& options,
-                                 std::uint32_t which) {
+ForceRegressor fit_force_network(const Eigen::MatrixXd& z, const Eigen::MatrixXd& force_N,
+                                 const ForceNetworkOptions& options, std::uint32_t which) {
   constexpr Eigen::Index kBatch = 32;
   constexpr double kRate = 3e-3;
   constexpr Eigen::Index kPasses = 100, kMinSteps = 300;  // more overfits a small table
@@ -178,12 +173,9 @@ ForceRegressor fit_force_network(const Eigen::MatrixXd& z,
   return {one.layer(), two.layer(), std::move(out)};
 }
 
-ForceMember fit_force_member(const std::vector<ForceInput>& filled,
-                             const Eigen::MatrixXd& force_N,
-                             const std::vector<Eigen::Index>& rows,
-                             ForceKind kind,
-                             const ForceNetworkOptions& options,
-                             std::uint32_t which) {
+ForceMember fit_force_member(const std::vector<ForceInput>& filled, const Eigen::MatrixXd& force_N,
+                             const std::vector<Eigen::Index>& rows, ForceKind kind,
+                             const ForceNetworkOptions& options, std::uint32_t which) {
   ForceMember member{learn_force_basis(filled, rows, kind), {}};
   const auto count = static_cast<Eigen::Index>(rows.size());
   Eigen::MatrixXd z(count, member.basis.size()), y(count, force_N.cols());
@@ -198,9 +190,7 @@ ForceMember fit_force_member(const std::vector<ForceInput>& filled,
   }
   for (int i = 0; i < options.members; ++i)
     member.regressors.push_back(fit_force_network(
-        z,
-        y,
-        options,
+        z, y, options,
         which * static_cast<std::uint32_t>(options.members) + static_cast<std::uint32_t>(i)));
   return member;
 }
@@ -276,8 +266,7 @@ ForceRange range_of_filled(const std::vector<ForceInput>& inputs) {
   return range;
 }
 
-void learn_scaling(ForceBasis& basis,
-                   const std::vector<ForceInput>& filled,
+void learn_scaling(ForceBasis& basis, const std::vector<ForceInput>& filled,
                    const std::vector<Eigen::Index>& rows) {
   const Eigen::Index count = basis.extras();
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(count), squares = sum, known = sum;
@@ -333,8 +322,7 @@ ForceRange learn_force_range(std::vector<ForceInput>& inputs) {
 }
 
 ForceBasis learn_force_basis(const std::vector<ForceInput>& filled,
-                             const std::vector<Eigen::Index>& rows,
-                             ForceKind kind) {
+                             const std::vector<Eigen::Index>& rows, ForceKind kind) {
   ForceBasis basis;
   Eigen::MatrixXd all = displacements(filled, rows);
   basis.mean_px = all.colwise().mean();

@@ -27,8 +27,7 @@ struct ForceNetworkOptions {
 /// markers that are seen in some frames and hidden in others, the position where it is known, and
 /// creep of the first three components.
 [[nodiscard]] ForceBasis learn_force_basis(const std::vector<ForceInput>& filled,
-                                           const std::vector<Eigen::Index>& rows,
-                                           ForceKind kind);
+                                           const std::vector<Eigen::Index>& rows, ForceKind kind);
 
 /// F = W z + b with the prior W ~ N(0, s^2 / lambda), one lambda for all axes, at the greatest
 /// marginal likelihood (MacKay, "Bayesian interpolation", Neural Computation 1992). Correlated rows
@@ -50,9 +49,7 @@ struct ForceNetworkOptions {
 /// members'.
 [[nodiscard]] ForceMember fit_force_member(const std::vector<ForceInput>& filled,
                                            const Eigen::MatrixXd& force_N,
-                                           const std::vector<Eigen::Index>& rows,
-                                           ForceKind kind,
-                                           const ForceNetworkOptions& options,
-                                           std::uint32_t which);
+                                           const std::vector<Eigen::Index>& rows, ForceKind kind,
+                                           const ForceNetworkOptions& options, std::uint32_t which);
 
 }  // namespace alltact

@@ -68,8 +68,8 @@ Result<TableColumns> columns_of(const std::vector<std::string_view>& cells,
   }
   if (highest < 0) return wrong(en::say("there are no columns u0, v0, ... of markers"));
   if (highest >= kMaxTableMarkers)
-    return wrong(en::say(
-        "there are markers up to number {}; the highest may be {}", highest, kMaxTableMarkers - 1));
+    return wrong(en::say("there are markers up to number {}; the highest may be {}", highest,
+                         kMaxTableMarkers - 1));
   const auto take = [](std::map<std::string, int>& from, const std::string& name) {
     const auto found = from.find(name);
     if (found == from.end()) return -1;
@@ -83,8 +83,7 @@ Result<TableColumns> columns_of(const std::vector<std::string_view>& cells,
       list->push_back(take(by_number, fmt::format("{}{}", letter, m)));
       if (list->back() < 0)
         return wrong(en::say("the column '{}' is missing, though there is a marker {}",
-                             fmt::format("{}{}", letter, m),
-                             highest));
+                             fmt::format("{}{}", letter, m), highest));
     }
     columns.seen.push_back(take(by_number, fmt::format("seen{}", m)));
     some_seen = some_seen || columns.seen.back() >= 0;
@@ -134,9 +133,7 @@ class TableReader {
             en::say("removing the line, or entering what was measured")};
   }
 
-  Result<double> number(const std::vector<std::string_view>& cells,
-                        int at,
-                        std::string_view column,
+  Result<double> number(const std::vector<std::string_view>& cells, int at, std::string_view column,
                         double greatest) const {
     const std::string_view cell = cells[static_cast<std::size_t>(at)];
     const auto value = lines_.number_in(cell);
@@ -221,8 +218,8 @@ class TableReader {
       return Error{en::say("{} rows are too few to train with", 0), origin_, table_advice()};
     using ByRow = Eigen::Matrix<double, -1, -1, Eigen::RowMajor>;
     const auto matrix = [&](const std::vector<double>& numbers) -> Eigen::MatrixXd {
-      return Eigen::Map<const ByRow>(
-          numbers.data(), count_, static_cast<Eigen::Index>(numbers.size()) / count_);
+      return Eigen::Map<const ByRow>(numbers.data(), count_,
+                                     static_cast<Eigen::Index>(numbers.size()) / count_);
     };
     table_.marker_count = static_cast<int>(columns_.u.size());
     table_.axes = static_cast<int>(columns_.force.size());
@@ -392,16 +389,12 @@ ForceFolds folds_of_stretches(const ForceTable& table) {
 
 }  // namespace
 
-std::vector<Eigen::Index> ForceFolds::rows_in(int fold) const {
-  return rows_where(of, fold, true);
-}
+std::vector<Eigen::Index> ForceFolds::rows_in(int fold) const { return rows_where(of, fold, true); }
 std::vector<Eigen::Index> ForceFolds::rows_without(int fold) const {
   return rows_where(of, fold, false);
 }
 
-std::vector<Eigen::Index> drawn_order(Eigen::Index n,
-                                      std::uint64_t seed,
-                                      std::string_view who,
+std::vector<Eigen::Index> drawn_order(Eigen::Index n, std::uint64_t seed, std::string_view who,
                                       std::uint32_t which) {
   std::vector<Eigen::Index> order(static_cast<std::size_t>(n));
   std::iota(order.begin(), order.end(), 0);
@@ -432,8 +425,7 @@ Result<ForceFolds> force_folds(const ForceTable& table, ForceSplit split, std::u
   const std::string column(by_day ? "day" : "indenter");
   return Error{folds.count == 0 ? en::say("the table has no column '{}'", column)
                                 : en::say("the column '{}' is the same in all rows", column),
-               std::string("--split"),
-               en::say("--split block, or several values")};
+               std::string("--split"), en::say("--split block, or several values")};
 }
 
 // Joins force tables.
@@ -519,12 +511,8 @@ Result<ForceTable> ForceTable::load_all(const std::vector<std::filesystem::path>
     }
     if (part->marker_count != joined->marker_count || part->axes != joined->axes)
       return Error{en::say("has {} markers and {} axes, the tables before it {} and {}",
-                           part->marker_count,
-                           part->axes,
-                           joined->marker_count,
-                           joined->axes),
-                   file,
-                   en::say("tables of one finger and one kind of gauge")};
+                           part->marker_count, part->axes, joined->marker_count, joined->axes),
+                   file, en::say("tables of one finger and one kind of gauge")};
     append_table(*part, *joined);
   }
   if (Status status = joined->check(files.front()); !status) return status.error();

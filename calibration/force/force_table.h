@@ -82,16 +82,13 @@ struct ForceFolds {
 
 /// By block: the table's blocks, or kStretches stretches of rows; more than kMaxFolds groups share
 /// folds. Errors: a table without days or indenters, or with only one.
-[[nodiscard]] Result<ForceFolds> force_folds(const ForceTable& table,
-                                             ForceSplit split,
+[[nodiscard]] Result<ForceFolds> force_folds(const ForceTable& table, ForceSplit split,
                                              std::uint64_t seed);
 inline constexpr int kStretches = 5, kMaxFolds = 10;
 
 /// A random permutation of 0 to n - 1 by seed and purpose.
-[[nodiscard]] std::vector<Eigen::Index> drawn_order(Eigen::Index n,
-                                                    std::uint64_t seed,
-                                                    std::string_view who,
-                                                    std::uint32_t which = 0);
+[[nodiscard]] std::vector<Eigen::Index> drawn_order(Eigen::Index n, std::uint64_t seed,
+                                                    std::string_view who, std::uint32_t which = 0);
 
 // Reads lines of comma-separated values, for tables of other programs.
 

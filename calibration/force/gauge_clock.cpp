@@ -35,13 +35,9 @@ struct FitSums {
 
 /// The force at gauge time clock.gauge_time_s(t) + shift_s against the motion at t, for rows
 /// [first, last) of the motion.
-[[nodiscard]] FitSums fit_sums(const TimedRows& motion,
-                               const TimedRows& force,
-                               const GaugeClock& clock,
-                               double shift_s,
-                               std::size_t first,
-                               std::size_t last,
-                               std::size_t step = 1);
+[[nodiscard]] FitSums fit_sums(const TimedRows& motion, const TimedRows& force,
+                               const GaugeClock& clock, double shift_s, std::size_t first,
+                               std::size_t last, std::size_t step = 1);
 
 constexpr Eigen::Index kMaxMotions = 3;
 constexpr double kMinFitRows = 12;
@@ -144,13 +140,8 @@ double FitSums::r2() const {
   return std::clamp(1 - left / all, 0.0, 1.0);
 }
 
-FitSums fit_sums(const TimedRows& motion,
-                 const TimedRows& force,
-                 const GaugeClock& clock,
-                 double shift_s,
-                 std::size_t first,
-                 std::size_t last,
-                 std::size_t step) {
+FitSums fit_sums(const TimedRows& motion, const TimedRows& force, const GaugeClock& clock,
+                 double shift_s, std::size_t first, std::size_t last, std::size_t step) {
   FitSums sums;
   std::size_t after = 0;
   for (std::size_t i = first; i < last; i += step) {
@@ -258,12 +249,8 @@ class ClockSearch {
     for (int i = -steps; i <= steps; ++i) {
       FitSums total_sums;
       for (std::size_t k = 0; k < kClockStretches; ++k) {
-        parts[k].push_back(fit_sums(motion_,
-                                    force_,
-                                    clock,
-                                    i * kFineStep_s,
-                                    k * rows / kClockStretches,
-                                    (k + 1) * rows / kClockStretches));
+        parts[k].push_back(fit_sums(motion_, force_, clock, i * kFineStep_s,
+                                    k * rows / kClockStretches, (k + 1) * rows / kClockStretches));
         total_sums += parts[k].back();
       }
       r2.push_back(total_sums.r2());
@@ -322,8 +309,7 @@ class ClockSearch {
 
  private:
   [[nodiscard]] static double jackknife_sd_s(
-      const std::array<std::vector<FitSums>, kClockStretches>& parts,
-      const ShiftPeak& peak,
+      const std::array<std::vector<FitSums>, kClockStretches>& parts, const ShiftPeak& peak,
       int steps) {
     // Only around the peak of all stretches: one stretch less moves it little.
     const int middle = steps + static_cast<int>(std::lround(peak.shift_s / kFineStep_s));
@@ -386,12 +372,10 @@ void report_delay(const GaugeClock& clock, std::vector<Message>& remarks) {
   const double late_ms = 1e3 * clock.shift_s, sd_ms = 1e3 * clock.sd_s;
   remarks.push_back(late_ms >= 0 ? en::say("The gauge reports {:.0f} ms (sd {:.0f} ms) later than "
                                            "the images; this is corrected.",
-                                           late_ms,
-                                           sd_ms)
+                                           late_ms, sd_ms)
                                  : en::say("The gauge reports {:.0f} ms (sd {:.0f} ms) earlier "
                                            "than the images; this is corrected.",
-                                           -late_ms,
-                                           sd_ms));
+                                           -late_ms, sd_ms));
 }
 
 GaugeClock same_clock(const ClockSearch* search, GaugeClock clock, std::vector<Message>& remarks) {
@@ -407,11 +391,8 @@ GaugeClock same_clock(const ClockSearch* search, GaugeClock clock, std::vector<M
   return clock;
 }
 
-GaugeClock other_clock(const ClockSearch* search,
-                       bool is_drift_given,
-                       double begun_s,
-                       GaugeClock clock,
-                       std::vector<Message>& remarks) {
+GaugeClock other_clock(const ClockSearch* search, bool is_drift_given, double begun_s,
+                       GaugeClock clock, std::vector<Message>& remarks) {
   GaugeClock found = clock;
   found.shift_s = begun_s;
   if (search != nullptr && search->search_all(found) && search->refine(0.2, found)) {
@@ -420,9 +401,7 @@ GaugeClock other_clock(const ClockSearch* search,
     remarks.push_back(
         en::say("The gauge and the camera were on different clocks: {:.3f} s (sd {:.3f} s) apart "
                 "by the markers' motion, drifting by {:.0f} ppm.",
-                found.shift_s,
-                found.sd_s,
-                1e6 * found.drift));
+                found.shift_s, found.sd_s, 1e6 * found.drift));
     return found;
   }
   remarks.push_back(en::say(
@@ -433,10 +412,8 @@ GaugeClock other_clock(const ClockSearch* search,
 
 }  // namespace
 
-GaugeClock estimate_gauge_clock(const std::vector<MarkerFrame>& frames,
-                                const ForceGauge& gauge,
-                                const CollectOptions& options,
-                                std::vector<Message>& remarks) {
+GaugeClock estimate_gauge_clock(const std::vector<MarkerFrame>& frames, const ForceGauge& gauge,
+                                const CollectOptions& options, std::vector<Message>& remarks) {
   GaugeClock clock;
   if (!gauge.by_time || frames.empty()) return clock;
   clock.first_s = *frames.front().time_s;
@@ -446,8 +423,7 @@ GaugeClock estimate_gauge_clock(const std::vector<MarkerFrame>& frames,
     clock.source = GaugeClock::Source::kGiven;
     return clock;
   }
-  const bool is_typed = std::all_of(gauge.readings.begin(),
-                                    gauge.readings.end(),
+  const bool is_typed = std::all_of(gauge.readings.begin(), gauge.readings.end(),
                                     [](const GaugeReading& r) { return r.holds || !r.has_force; });
   std::optional<ClockSearch> search;
   if (!is_typed) search.emplace(frames, gauge);

@@ -38,23 +38,16 @@ struct ForceErrorScores {
 
 /// Runs the folds in parallel; the result does not depend on the number of threads. Incomplete
 /// where the job is stopped.
-HeldOutForce hold_out_force(const std::vector<ForceInput>& filled,
-                            const Eigen::MatrixXd& force_N,
-                            const ForceFolds& folds,
-                            ForceKind kind,
-                            const ForceNetworkOptions& options,
-                            const Job& job) {
+HeldOutForce hold_out_force(const std::vector<ForceInput>& filled, const Eigen::MatrixXd& force_N,
+                            const ForceFolds& folds, ForceKind kind,
+                            const ForceNetworkOptions& options, const Job& job) {
   HeldOutForce result;
   result.members.resize(static_cast<std::size_t>(folds.count));
   result.estimated_N = Eigen::MatrixXd::Zero(force_N.rows(), force_N.cols());
   cv::parallel_for_(cv::Range(0, folds.count), [&](const cv::Range& range) {
     for (int fold = range.start; fold < range.end && !job.stop_requested(); ++fold)
       result.members[static_cast<std::size_t>(fold)] =
-          fit_force_member(filled,
-                           force_N,
-                           folds.rows_without(fold),
-                           kind,
-                           options,
+          fit_force_member(filled, force_N, folds.rows_without(fold), kind, options,
                            static_cast<std::uint32_t>(fold));
   });
   if (job.stop_requested()) return result;
@@ -95,8 +88,8 @@ double conformal_quantile(std::vector<double> values, double level) {
   const double rank = std::ceil((static_cast<double>(values.size()) + 1) * level);
   const std::size_t index =
       std::min(values.size(), static_cast<std::size_t>(std::max(1.0, rank))) - 1;
-  std::nth_element(
-      values.begin(), values.begin() + static_cast<std::ptrdiff_t>(index), values.end());
+  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(index),
+                   values.end());
   return values[index];
 }
 
@@ -114,12 +107,10 @@ Eigen::VectorXd covered_part(const Eigen::MatrixXd& score, const ForceFolds& fol
   return covered / static_cast<double>(score.rows());
 }
 
-constexpr std::array kForceOrder{
-    ForceKind::kMean, ForceKind::kRidge, ForceKind::kQuadratic, ForceKind::kNetwork};
+constexpr std::array kForceOrder{ForceKind::kMean, ForceKind::kRidge, ForceKind::kQuadratic,
+                                 ForceKind::kNetwork};
 
-Error stopped_training() {
-  return {en::say("stopped before there was a force model"), "", ""};
-}
+Error stopped_training() { return {en::say("stopped before there was a force model"), "", ""}; }
 
 Message kind_word(ForceKind kind) {
   switch (kind) {
@@ -141,8 +132,7 @@ Eigen::RowVectorXd sd_of(const Eigen::MatrixXd& force_N) {
       .cwiseSqrt();
 }
 
-ForceComparison compared(ForceKind kind,
-                         const HeldOutForce& held_out,
+ForceComparison compared(ForceKind kind, const HeldOutForce& held_out,
                          const Eigen::MatrixXd& force_N) {
   const Eigen::MatrixXd error = held_out.estimated_N - force_N;
   const Eigen::RowVectorXd sd = sd_of(force_N);
@@ -158,8 +148,7 @@ ForceComparison compared(ForceKind kind,
 }
 
 /// Mean over axes of |error| / sd, by fold.
-Eigen::VectorXd errors_by_fold(const HeldOutForce& held_out,
-                               const Eigen::MatrixXd& force_N,
+Eigen::VectorXd errors_by_fold(const HeldOutForce& held_out, const Eigen::MatrixXd& force_N,
                                const ForceFolds& folds) {
   const Eigen::MatrixXd part =
       (held_out.estimated_N - force_N).cwiseAbs() * sd_of(force_N).cwiseInverse().asDiagonal();
@@ -301,8 +290,7 @@ class ForceTrainer {
       job_.report(0.5 + 0.12 * static_cast<double>(at(kind)),
                   en::say("testing {} by frames and with shuffled forces", kind_word(kind)));
       row.random_mae_N =
-          compared(kind,
-                   hold_out_force(inputs_, table_.force_N, *random, kind, single, job_),
+          compared(kind, hold_out_force(inputs_, table_.force_N, *random, kind, single, job_),
                    table_.force_N)
               .mae_N;
       row.shuffled_r2 =
@@ -328,8 +316,7 @@ class ForceTrainer {
       remarks.push_back(
           en::say("The network does not beat ridge: their errors are {:.1f} % and {:.1f} % of the "
                   "forces' standard deviation.",
-                  relative(ForceKind::kNetwork),
-                  relative(ForceKind::kRidge)));
+                  relative(ForceKind::kNetwork), relative(ForceKind::kRidge)));
     if (selected != ForceKind::kMean &&
         !beats(by_fold_[at(selected)], by_fold_[at(ForceKind::kMean)]))
       remarks.push_back(en::say(
@@ -410,8 +397,7 @@ Eigen::VectorXd force_label_noise_N(const ForceTable& table, const ForceFolds& f
 
 Result<TrainedForce> train_force(const ForceTable& table,
                                  const std::vector<Eigen::Vector2d>& rest_px,
-                                 const ForceTraining& options,
-                                 const Job& job) {
+                                 const ForceTraining& options, const Job& job) {
   assert(rest_px.empty() || static_cast<int>(rest_px.size()) == table.marker_count);
   return ForceTrainer(table, options, job).train(rest_px);
 }
@@ -472,20 +458,16 @@ std::string force_before(const Finger& finger) {
 Status check_force_markers(const ForceTable& table, const Finger& finger) {
   const Message advice = en::say("a table of this finger's markers");
   if (finger.marker_count() == 0)
-    return Error{en::say("the finger has no markers to estimate a force from"),
-                 finger.name,
+    return Error{en::say("the finger has no markers to estimate a force from"), finger.name,
                  en::say("a finger with markers")};
   if (!finger.contact)
     return Error{
         en::say("the finger has no reference, so the rest positions of its markers are unknown"),
-        finger.name,
-        en::say("alltact reference")};
+        finger.name, en::say("alltact reference")};
   if (table.marker_count != finger.marker_count())
-    return Error{en::say("the table has {} markers, the finger has {}",
-                         table.marker_count,
+    return Error{en::say("the table has {} markers, the finger has {}", table.marker_count,
                          finger.marker_count()),
-                 finger.name,
-                 advice};
+                 finger.name, advice};
   const auto& rest = finger.contact->rest_markers;
   double nearest_px = std::numeric_limits<double>::infinity();
   for (Eigen::Index row = 0; row < table.rows(); ++row) {
@@ -503,15 +485,12 @@ Status check_force_markers(const ForceTable& table, const Finger& finger) {
     return Error{en::say("the table's markers belong to another finger: in every row they are "
                          "{:.0f} px or more from this finger's rest positions",
                          nearest_px),
-                 finger.name,
-                 advice};
+                 finger.name, advice};
   return {};
 }
 
-Result<TrainedForce> train_finger_force(const fs::path& folder,
-                                        const ForceTable& table,
-                                        const ForceTraining& options,
-                                        const Job& job) {
+Result<TrainedForce> train_finger_force(const fs::path& folder, const ForceTable& table,
+                                        const ForceTraining& options, const Job& job) {
   const auto store = FingerStore::of(folder);
   const auto before = store->snapshot();
   if (!before) return before.error();
@@ -569,8 +548,7 @@ Result<std::shared_ptr<const ForceModel>> stored_model(const fs::path& folder) {
   if (!snapshot) return snapshot.error();
   if ((*snapshot)->force_problem) return *(*snapshot)->force_problem;
   if (!(*snapshot)->force)
-    return Error{en::say("the finger has no force model yet"),
-                 folder,
+    return Error{en::say("the finger has no force model yet"), folder,
                  en::say("giving the table to train with")};
   return (*snapshot)->force;
 }
@@ -601,8 +579,7 @@ Result<ForceTable> stored_force_table(const fs::path& folder) {
   const auto& record = (*model)->record;
   const auto table = record.find(kForceTable);
   if (table == record.end() || fs::path(table->second).parent_path() != fs::path(kForceFolder))
-    return Error{en::say("the force model does not name its table"),
-                 folder,
+    return Error{en::say("the force model does not name its table"), folder,
                  en::say("giving the table to train with")};
   return ForceTable::load(folder / table->second);
 }

@@ -64,8 +64,7 @@ struct TrainedForce {
 /// Errors: those of force_folds; creep without times; stopped.
 [[nodiscard]] Result<TrainedForce> train_force(const ForceTable& table,
                                                const std::vector<Eigen::Vector2d>& rest_px,
-                                               const ForceTraining& options,
-                                               const Job& job);
+                                               const ForceTraining& options, const Job& job);
 
 /// The table's rows as inputs of a model, without values for hidden markers.
 [[nodiscard]] std::vector<ForceInput> force_inputs(const ForceTable& table,
@@ -83,8 +82,7 @@ struct TrainedForce {
 /// the finger.
 [[nodiscard]] Result<TrainedForce> train_finger_force(const std::filesystem::path& folder,
                                                       const ForceTable& table,
-                                                      const ForceTraining& options,
-                                                      const Job& job);
+                                                      const ForceTraining& options, const Job& job);
 
 /// Restores the model from before the last train_finger_force(), or none where there was none; a
 /// second call reverts the first. Errors: no model was trained yet; the file is gone.

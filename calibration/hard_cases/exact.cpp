@@ -10,9 +10,7 @@ using Exact = boost::multiprecision::number<boost::multiprecision::cpp_dec_float
                                             boost::multiprecision::et_off>;
 using Numbers = std::vector<Exact>;
 
-double rounded(const Exact& value) {
-  return value.convert_to<double>();
-}
+double rounded(const Exact& value) { return value.convert_to<double>(); }
 
 struct Vector {
   Exact x, y, z;
@@ -76,9 +74,7 @@ double outside(const Eigen::Vector3d& u, const Eigen::Vector3d& c, double radius
   return rounded(Vector(c).cross(direction).norm() / direction.norm() - Exact(radius));
 }
 
-double norm(const Eigen::Vector3d& v) {
-  return rounded(Vector(v).norm());
-}
+double norm(const Eigen::Vector3d& v) { return rounded(Vector(v).norm()); }
 
 std::vector<double> powers(const Eigen::VectorXd& c, double middle, double half) {
   const auto n = static_cast<std::size_t>(c.size());

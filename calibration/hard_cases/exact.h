@@ -31,8 +31,7 @@ struct Angle {
 [[nodiscard]] double polynomial(const Eigen::VectorXd& c, double x);
 
 /// Values at x of the polynomial of n terms that is closest to y, by least squares.
-[[nodiscard]] std::vector<double> fitted_values(const Eigen::VectorXd& x,
-                                                const Eigen::VectorXd& y,
+[[nodiscard]] std::vector<double> fitted_values(const Eigen::VectorXd& x, const Eigen::VectorXd& y,
                                                 int n);
 
 /// Hertz's surface outside a ball's contact (ball_contact.h).

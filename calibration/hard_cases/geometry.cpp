@@ -18,11 +18,8 @@ namespace {
 constexpr double kFocal = 1000.0;  // px
 
 /// Directions along part of a ball's outline, noisy in the image.
-std::vector<Eigen::Vector3d> outline(const Eigen::Vector3d& centre,
-                                     double radius,
-                                     double arc_deg,
-                                     double noise_px,
-                                     std::mt19937& random) {
+std::vector<Eigen::Vector3d> outline(const Eigen::Vector3d& centre, double radius, double arc_deg,
+                                     double noise_px, std::mt19937& random) {
   const int all = 540;
   const auto horizon = ball_horizon_mm(true, centre, radius, all);
   const auto used = static_cast<std::size_t>(all * arc_deg / 360.0);
@@ -50,8 +47,7 @@ HardAnswer circle_ball(const std::vector<Eigen::Vector3d>& directions, double ra
 }
 
 /// Gauss-Newton on the distance of the centre from each ray, minus the radius, in millimetres.
-double millimetre_z(const std::vector<Eigen::Vector3d>& directions,
-                    double radius,
+double millimetre_z(const std::vector<Eigen::Vector3d>& directions, double radius,
                     Eigen::Vector3d c) {
   for (int round = 0; round < 30; ++round) {
     Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
@@ -76,17 +72,14 @@ HardAnswer ball_of(const std::vector<Eigen::Vector3d>& directions, double radius
 
 HardRow exact_outline() {
   HardRow row{"ball from its outline, up to 42 degrees off the axis, arcs from 40 degrees",
-              "a circle in the picture",
-              "relative",
-              1e-12};
+              "a circle in the picture", "relative", 1e-12};
   std::mt19937 random(4);
   for (int theta = 0; theta <= 42; theta += 6)
     for (const double arc : {40.0, 90.0, 180.0, 360.0}) {
       const double t = theta * M_PI / 180.0;
       const Eigen::Vector3d c(40.0 * std::sin(t), 0.0, 40.0 * std::cos(t));
       const auto directions = outline(c, 3.0, arc, 0.0, random);
-      row.ask({{c.x(), c.y(), c.z()}, {}, c.norm()},
-              circle_ball(directions, 3.0),
+      row.ask({{c.x(), c.y(), c.z()}, {}, c.norm()}, circle_ball(directions, 3.0),
               ball_of(directions, 3.0));
     }
   return row;
@@ -96,19 +89,11 @@ HardRow exact_outline() {
 /// 0.05 mm and a standard deviation of 0.25 mm to 15 %.
 std::vector<HardRow> noisy_outlines() {
   HardRow bias{"ball's distance from 90 degrees of outline, 0.5 px noise: bias",
-               "distance to the rays in mm",
-               "mm",
-               0.05,
-               HardMeasure::kBias};
+               "distance to the rays in mm", "mm", 0.05, HardMeasure::kBias};
   HardRow spread{"the same: spread, against the 0.25 mm there must be",
-                 "a circle through its ends and its middle",
-                 "relative",
-                 0.15,
+                 "a circle through its ends and its middle", "relative", 0.15,
                  HardMeasure::kSpread};
-  HardRow aside{"the same, 30 degrees off the axis: bias",
-                "a circle in the picture",
-                "mm",
-                0.05,
+  HardRow aside{"the same, 30 degrees off the axis: bias", "a circle in the picture", "mm", 0.05,
                 HardMeasure::kBias};
   std::mt19937 random(5);
   const Eigen::Vector3d c(0.0, 0.0, 40.0);
@@ -120,12 +105,11 @@ std::vector<HardRow> noisy_outlines() {
     const auto directions = outline(c, 3.0, 90.0, 0.5, random);
     const HardAnswer own = distance(ball_of(directions, 3.0));
     bias.ask(expected(c.z(), 1), number(millimetre_z(directions, 3.0, c)), own);
-    const std::vector<Eigen::Vector3d> three{
-        directions.front(), directions[directions.size() / 2], directions.back()};
+    const std::vector<Eigen::Vector3d> three{directions.front(), directions[directions.size() / 2],
+                                             directions.back()};
     spread.ask(expected(c.z(), 0.25), distance(circle_ball(three, 3.0)), own);
     const auto seen_aside = outline(off_axis, 3.0, 90.0, 0.5, random);
-    aside.ask(expected(off_axis.z(), 1),
-              distance(circle_ball(seen_aside, 3.0)),
+    aside.ask(expected(off_axis.z(), 1), distance(circle_ball(seen_aside, 3.0)),
               distance(ball_of(seen_aside, 3.0)));
   }
   return {bias, spread, aside};
@@ -144,11 +128,8 @@ double kasa_radius(const std::vector<Eigen::Vector2d>& points) {
   return std::sqrt(found[2] + found.head<2>().squaredNorm());
 }
 
-std::vector<Eigen::Vector2d> arc(const Eigen::Vector2d& centre,
-                                 double radius,
-                                 double arc_deg,
-                                 double noise,
-                                 std::mt19937& random) {
+std::vector<Eigen::Vector2d> arc(const Eigen::Vector2d& centre, double radius, double arc_deg,
+                                 double noise, std::mt19937& random) {
   std::normal_distribution<double> normal;
   std::vector<Eigen::Vector2d> points;
   const int count = static_cast<int>(1.5 * arc_deg);
@@ -168,10 +149,7 @@ HardAnswer radius_of(const std::optional<Circle>& circle) {
 
 HardRow short_arc() {
   HardRow row{"circle from 60 degrees of arc, 0.5 px noise: bias of its radius",
-              "linear fit (Kasa)",
-              "of its sd",
-              0.1,
-              HardMeasure::kBiasInSd};
+              "linear fit (Kasa)", "of its sd", 0.1, HardMeasure::kBiasInSd};
   std::mt19937 random(6);
   for (int i = 0; i < 4000; ++i) {
     const auto points = arc({0.0, 0.0}, 75.0, 60.0, 0.5, random);
@@ -181,10 +159,8 @@ HardRow short_arc() {
 }
 
 HardRow far_circle() {
-  HardRow row{"exact circle far from the origin, 40 degrees of arc",
-              "linear fit (Kasa)",
-              "relative",
-              1e-10};
+  HardRow row{"exact circle far from the origin, 40 degrees of arc", "linear fit (Kasa)",
+              "relative", 1e-10};
   std::mt19937 random(7);
   const auto points = arc({20000.0, 10000.0}, 75.0, 40.0, 0.0, random);
   row.ask(expected(75.0), number(kasa_radius(points)), radius_of(fit_circle(points)));
@@ -196,10 +172,7 @@ HardRow straight_line() {
   HardRow row{
       "points on a line: circles invented; on an arc of 3 degrees: circles missed, or wrong "
       "by 1e-6",
-      "linear fit (Kasa)",
-      "part wrong",
-      0,
-      HardMeasure::kWrong};
+      "linear fit (Kasa)", "part wrong", 0, HardMeasure::kWrong};
   constexpr double kArc = 3.0 * M_PI / 180.0, kRadius = 500.0;
   for (int step = 0; step < 12; ++step) {
     const double turn = M_PI * step / 12;
@@ -251,9 +224,7 @@ View view(double width_mm) {
 }
 
 /// Edges of a face `width_mm` wide.
-FaceEdges edges_of(const std::function<double(double)>& z_at,
-                   double width_mm,
-                   double sd_px,
+FaceEdges edges_of(const std::function<double(double)>& z_at, double width_mm, double sd_px,
                    const std::function<double()>& error) {
   FaceEdges edges;
   for (int u = 0; u < kColumns; ++u) {
@@ -302,10 +273,8 @@ class ShapeAnswers {
 HardRow exact_width() {
   // The relative error of a width is |v| / width roundings: it is a difference of both edges. Each
   // edge adds those of its series' first coefficient, of its sum and of its change to directions.
-  HardRow row{"distance from the width of the face, no noise",
-              "single precision",
-              "roundings of the width",
-              8};
+  HardRow row{"distance from the width of the face, no noise", "single precision",
+              "roundings of the width", 8};
   const View seen = view(kFaceWidth);
   const auto z_at = [](double u) {
     return 1.0 / (1.0 / 40 + (1.0 / 110 - 1.0 / 40) * u / kColumns);
@@ -319,8 +288,7 @@ HardRow exact_width() {
     const float narrow =
         static_cast<float>(kFaceFocal * kFaceWidth) /
         (static_cast<float>(edges.lower.v[i]) - static_cast<float>(edges.upper.v[i]));
-    row.ask(expected(z, z * rounding),
-            number(static_cast<double>(narrow)),
+    row.ask(expected(z, z * rounding), number(static_cast<double>(narrow)),
             ShapeAnswers(shape).z_mm(i));
   }
   return row;
@@ -328,9 +296,7 @@ HardRow exact_width() {
 
 constexpr double kFar = 95.0;  // mm
 
-double far_face(double /*u*/) {
-  return kFar;
-}
+double far_face(double /*u*/) { return kFar; }
 
 /// The sd of z, mm, from noise of `edge_sd_px` in both edges, for a width fitted by least squares
 /// over all columns with a constant and kDegree more terms.
@@ -344,11 +310,8 @@ HardRow quiet_edges() {
   constexpr int kTrials = 40;
   // Tukey's weights cost a twentieth of the variance, and the root of 40 x 8 squares is known to 4
   // %.
-  HardRow row{"distance of a face 95 mm away, 0.5 px noise",
-              "each column by itself",
-              "mm rms",
-              1.15 * least_squares_sd_mm(kNoise),
-              HardMeasure::kRms};
+  HardRow row{"distance of a face 95 mm away, 0.5 px noise", "each column by itself", "mm rms",
+              1.15 * least_squares_sd_mm(kNoise), HardMeasure::kRms};
   const View seen = view(kFaceWidth);
   std::mt19937 random(8);
   std::normal_distribution<double> normal;
@@ -363,8 +326,8 @@ HardRow quiet_edges() {
 }
 
 HardRow loud_edges() {
-  HardRow row{
-      "the same, 5 px noise: bias", "a smooth curve through z", "mm", 0.03, HardMeasure::kBias};
+  HardRow row{"the same, 5 px noise: bias", "a smooth curve through z", "mm", 0.03,
+              HardMeasure::kBias};
   const View seen = view(kFaceWidth);
   std::mt19937 random(19);
   std::normal_distribution<double> normal;
@@ -374,8 +337,7 @@ HardRow loud_edges() {
     const auto shape = FaceShape::fit(edges, seen.camera, seen.face, kDegree, 2.0);
     const Eigen::VectorXd naive = naive_fit(edges);
     for (std::size_t i = 0; i < edges.u.size(); ++i)
-      row.ask(expected(kFar, 1),
-              number(naive[static_cast<Eigen::Index>(i)]),
+      row.ask(expected(kFar, 1), number(naive[static_cast<Eigen::Index>(i)]),
               ShapeAnswers(shape).z_mm(i));
   }
   return row;
@@ -383,10 +345,8 @@ HardRow loud_edges() {
 
 /// At the ends of the face a curve is known sqrt(terms) times worse than on average.
 HardRow spoiled_edges() {
-  HardRow row{"the same, 0.5 px noise, 5 % of the edges wrong by 30 to 100 px",
-              "least squares",
-              "mm",
-              4 * std::sqrt(kDegree + 1.0) * least_squares_sd_mm(0.5)};
+  HardRow row{"the same, 0.5 px noise, 5 % of the edges wrong by 30 to 100 px", "least squares",
+              "mm", 4 * std::sqrt(kDegree + 1.0) * least_squares_sd_mm(0.5)};
   row.min_answered = 0.98;
   const View seen = view(kFaceWidth);
   std::mt19937 random(20);
@@ -400,8 +360,7 @@ HardRow spoiled_edges() {
     const auto shape = FaceShape::fit(edges, seen.camera, seen.face, kDegree, 2.0);
     const Eigen::VectorXd naive = naive_fit(edges);
     for (std::size_t i = 0; i < edges.u.size(); ++i)
-      row.ask(expected(kFar, 1),
-              number(naive[static_cast<Eigen::Index>(i)]),
+      row.ask(expected(kFar, 1), number(naive[static_cast<Eigen::Index>(i)]),
               ShapeAnswers(shape).z_mm(i));
   }
   return row;
@@ -411,10 +370,7 @@ HardRow spoiled_edges() {
 /// must be refused; from there on z is required, within 5 %.
 HardRow meeting_edges() {
   HardRow row{"edges that nearly meet: none told below 8 px, those from 8.5 to 12 px within 5 %",
-              "f W / width",
-              "part of columns wrong",
-              0,
-              HardMeasure::kWrong};
+              "f W / width", "part of columns wrong", 0, HardMeasure::kWrong};
   constexpr double kZ = 60.0, kNoise = 0.25;
   std::mt19937 random(9);
   std::normal_distribution<double> noise(0.0, kNoise);
@@ -434,8 +390,8 @@ HardRow meeting_edges() {
 }
 
 /// A bright face with slanting edges.
-HardRow blurred_edges(
-    double contrast, double blur_px, double grey_noise, double bound, const char* what) {
+HardRow blurred_edges(double contrast, double blur_px, double grey_noise, double bound,
+                      const char* what) {
   HardRow row{what, "steepest whole pixel", "px rms", bound, HardMeasure::kRms, 0.95};
   std::mt19937 random(10);
   std::normal_distribution<double> noise;

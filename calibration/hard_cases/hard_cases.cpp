@@ -125,13 +125,8 @@ HardScore score(const HardRow& row, const std::vector<HardAnswer>& answers) {
 }
 
 HardCase judged(const HardRow& row, const std::vector<HardAnswer>& own) {
-  return {row.what,
-          row.naive,
-          row.unit,
-          score(row, row.naive_answers),
-          score(row, own),
-          row.bound,
-          row.min_answered};
+  return {row.what,        row.naive, row.unit,        score(row, row.naive_answers),
+          score(row, own), row.bound, row.min_answered};
 }
 
 FaceShape flat_sensor(const cv::Size& size, double mm_per_px) {
@@ -149,13 +144,8 @@ FaceShape flat_sensor(const cv::Size& size, double mm_per_px) {
 
 std::vector<HardRow> hard_rows() {
   std::vector<HardRow> all;
-  for (const auto group : {hard_directions,
-                           hard_outlines,
-                           hard_faces,
-                           hard_curves,
-                           hard_lenses,
-                           hard_brightness,
-                           hard_contacts})
+  for (const auto group : {hard_directions, hard_outlines, hard_faces, hard_curves, hard_lenses,
+                           hard_brightness, hard_contacts})
     for (HardRow& row : group()) all.push_back(std::move(row));
   return all;
 }

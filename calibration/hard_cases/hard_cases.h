@@ -104,12 +104,8 @@ struct HardCase {
 /// A rigid flat sensor under a telecentric lens; the face fills the image.
 [[nodiscard]] FaceShape flat_sensor(const cv::Size& size, double mm_per_px);
 
-[[nodiscard]] inline HardAnswer number(double value) {
-  return {{value}, ""};
-}
-[[nodiscard]] inline HardAnswer refused(std::string why) {
-  return {{}, std::move(why)};
-}
+[[nodiscard]] inline HardAnswer number(double value) { return {{value}, ""}; }
+[[nodiscard]] inline HardAnswer refused(std::string why) { return {{}, std::move(why)}; }
 /// Answer of a step that gives no reasons: a number, or `why` where there is none.
 [[nodiscard]] inline HardAnswer number_or(const std::optional<double>& value, std::string why) {
   return value ? number(*value) : refused(std::move(why));

@@ -72,10 +72,7 @@ HardRow undistorting(const std::vector<double>& distortion, const char* what) {
 /// Lenses that fold over inside the image, and lenses that do not.
 HardRow fold() {
   HardRow row{"where lenses show a direction; refused by name where they fold over in the picture",
-              "no look at the fold",
-              "part wrong",
-              0,
-              HardMeasure::kWrong};
+              "no look at the fold", "part wrong", 0, HardMeasure::kWrong};
   constexpr double kFocal = 1047.7;
   const Eigen::Vector2d x(0.6, 0.35);
   for (const std::vector<double>& k : std::vector<std::vector<double>>{
@@ -94,8 +91,8 @@ HardRow fold() {
     HardAnswer own = refused(camera ? "not seen" : camera.error().what.english());
     if (const auto found = camera ? camera->project({x.x(), x.y(), 1.0}) : std::nullopt)
       own = {{found->x(), found->y()}, ""};
-    row.ask(
-        folds ? expected_refusal({"folds over"}) : HardQuestion{pixel, {}, 1e-9}, {pixel, ""}, own);
+    row.ask(folds ? expected_refusal({"folds over"}) : HardQuestion{pixel, {}, 1e-9}, {pixel, ""},
+            own);
   }
   return row;
 }
@@ -153,10 +150,7 @@ HardRow few_boards() {
   HardRow row{
       "focal length from 3 boards tilted by up to 15 degrees: its squared error over what "
       "is said of it, against 1",
-      "residual of the corners over half the picture",
-      "of 1",
-      0.15,
-      HardMeasure::kSdAccuracy};
+      "residual of the corners over half the picture", "of 1", 0.15, HardMeasure::kSdAccuracy};
   std::mt19937 random(15);
   constexpr int kTrials = 400;
   for (int trial = 0; trial < kTrials; ++trial) {
@@ -172,8 +166,7 @@ HardRow few_boards() {
       continue;
     }
     const double focal_px = fit->lens.fx_px;
-    row.ask(question,
-            {{focal_px, fit->sigma_px / 320 * seen.lens.fx_px}, ""},
+    row.ask(question, {{focal_px, fit->sigma_px / 320 * seen.lens.fx_px}, ""},
             {{focal_px, fit->sd(0)}, ""});
   }
   return row;
@@ -185,10 +178,7 @@ HardRow frontal_boards() {
   HardRow row{
       "lenses from 3 to 6 boards held nearly straight: let pass; from 10 tilted ones: not "
       "let pass, or wrong by 0.4 mm at 60 mm",
-      "residual of the corners below 0.3 px",
-      "part wrong",
-      0,
-      HardMeasure::kWrong};
+      "residual of the corners below 0.3 px", "part wrong", 0, HardMeasure::kWrong};
   std::mt19937 random(16);
   for (std::size_t trial = 0; trial < 20; ++trial) {
     const bool is_straight = trial < 12;
@@ -202,14 +192,13 @@ HardRow frontal_boards() {
         is_straight ? expected_refusal({"unfit", "unproven", "undetermined", "explain"})
                     : expected(settings.distance_mm, 5 * 0.08);
     if (!found) {
-      row.ask(
-          question, refused(found.error().what.english()), refused(found.error().what.english()));
+      row.ask(question, refused(found.error().what.english()),
+              refused(found.error().what.english()));
       continue;
     }
     const HardAnswer value = number(settings.distance_mm * found->fit.lens.fx_px / seen.lens.fx_px);
     const Grade grade = found->verdict.grade;
-    row.ask(question,
-            found->fit.sigma_px < 0.3 ? value : refused("residual"),
+    row.ask(question, found->fit.sigma_px < 0.3 ? value : refused("residual"),
             grade == Grade::kGood || grade == Grade::kUsable
                 ? value
                 : refused(found->verdict.sentence.english()));

@@ -63,8 +63,7 @@ HardRow grazing_ray(double graze, double bound, const char* what) {
     const Eigen::Vector3d aside = axis.unitOrthogonal();
     const Ray ray{Eigen::Vector3d::Zero(), axis * (1.0 + 0.5 * radius(random))};
     const Eigen::Vector3d c = 40.0 * axis + r * (1.0 - graze) * aside;
-    row.ask(expected(exact::near_root(ray.direction, c, r)),
-            number(naive_near(ray, c, r)),
+    row.ask(expected(exact::near_root(ray.direction, c, r)), number(naive_near(ray, c, r)),
             near_of(ray, c, r));
   }
   return row;
@@ -73,11 +72,8 @@ HardRow grazing_ray(double graze, double bound, const char* what) {
 /// Rays that pass a few roundings inside or outside the rim. They must hit as in 50 digits, to a
 /// nanometre, and miss as in 50 digits.
 HardRow rim_decision() {
-  HardRow row{"whether and where a ray meets a ball, 1e-13 mm from its rim",
-              "b^2 - 4 a c",
-              "part wrong",
-              0,
-              HardMeasure::kWrong};
+  HardRow row{"whether and where a ray meets a ball, 1e-13 mm from its rim", "b^2 - 4 a c",
+              "part wrong", 0, HardMeasure::kWrong};
   constexpr double kRadius = 3.0, kNanometre = 1e-6;
   std::mt19937 random(3);
   for (int i = 0; i < 2000; ++i) {
@@ -99,10 +95,8 @@ HardRow rim_decision() {
 /// Thickness of the layer along its normal on a face seen nearly from the side. The textbook
 /// thickens it along z by 1 / cos(atan(slope)); along the normal the thickness must be the same.
 HardRow steep_layer() {
-  HardRow row{"thickness of the layer at slopes up to 1e17",
-              "t / cos(atan(slope)), along z",
-              "relative",
-              4 * kEps};
+  HardRow row{"thickness of the layer at slopes up to 1e17", "t / cos(atan(slope)), along z",
+              "relative", 4 * kEps};
   constexpr double kLayer = 1.5;
   for (int i = 0; i < 200; ++i) {
     const double slope = std::pow(10.0, 17.0 * i / 199.0);
@@ -115,8 +109,8 @@ HardRow steep_layer() {
     local.normal = {-slope / length, 0.0, 1.0 / length};
     local.cos_incline = 1.0 / length;
     const Eigen::Vector3d lifted = untouched_point_mm(local, kLayer, MappingAlong::kNormal);
-    row.ask(
-        expected(kLayer), number(kLayer / std::cos(angle) / length), number(exact::norm(lifted)));
+    row.ask(expected(kLayer), number(kLayer / std::cos(angle) / length),
+            number(exact::norm(lifted)));
   }
   return row;
 }
@@ -177,9 +171,7 @@ HardRow wampler(int size, double bound, const char* what) {
 /// Degree 10 over a range far from zero, as in NIST's Filip.
 HardRow high_degree() {
   HardRow row{"values of a fitted polynomial of degree 10 over -9 .. -3",
-              "normal equations in powers",
-              "relative",
-              1e-13};
+              "normal equations in powers", "relative", 1e-13};
   constexpr int kTerms = 11;
   std::mt19937 random(13);
   std::normal_distribution<double> noise(0.0, 0.003);
@@ -192,8 +184,7 @@ HardRow high_degree() {
   const Eigen::VectorXd naive = normal_equations(power_design(x, kTerms), y);
   const Eigen::VectorXd own = least_squares(chebyshev_design(x, -6, 3, kTerms), y);
   for (Eigen::Index i = 0; i < 82; ++i)
-    row.ask(expected(truth[static_cast<std::size_t>(i)]),
-            number(exact::polynomial(naive, x[i])),
+    row.ask(expected(truth[static_cast<std::size_t>(i)]), number(exact::polynomial(naive, x[i])),
             number(chebyshev_value(own, (x[i] + 6) / 3)));
   return row;
 }
@@ -202,9 +193,7 @@ HardRow high_degree() {
 /// from a layer of twice the thickness to one of none.
 HardRow beyond_the_domain() {
   HardRow row{"mapping from a layer of 1.5 mm that has doubled to one that is used up",
-              "the polynomial goes on",
-              "mm",
-              1e-12};
+              "the polynomial goes on", "mm", 1e-12};
   constexpr double kEnd = 0.6, kLayer = 1.5;
   const Eigen::Vector3d coefficients(1.9, 0.35, -0.16);
   // d = x p(t) with t = 2 x / kEnd - 1, p(1) = sum c_k, p'(1) = sum k^2 c_k
@@ -223,8 +212,7 @@ HardRow beyond_the_domain() {
     const double truth = x <= 0 ? start_slope * x : x <= kEnd ? polynomial : straight;
     if (truth < -kLayer) continue;
     if (truth > kLayer) break;
-    row.ask(expected(truth, 1),
-            number(polynomial),
+    row.ask(expected(truth, 1), number(polynomial),
             mapping ? number(mapping->depth_mm(x)) : refused(mapping.error().what.english()));
   }
   return row;
@@ -263,10 +251,7 @@ Eigen::MatrixXd one_press() {
 /// The ball's distance from one press, with the mapping through zero and without: its sd from
 /// noise, to first order. Through zero 0.004 mm is achievable.
 HardRow gauge() {
-  HardRow row{"ball's distance from one noisy press",
-              "a constant is fitted too",
-              "mm rms",
-              0.006,
+  HardRow row{"ball's distance from one noisy press", "a constant is fitted too", "mm rms", 0.006,
               HardMeasure::kRms};
   const Eigen::MatrixXd press = one_press();
   std::mt19937 random(21);
@@ -277,18 +262,15 @@ HardRow gauge() {
     const auto distance_off = [&](Eigen::Index unknowns) {
       return least_squares(press.rightCols(unknowns), drawn)[unknowns - 1];
     };
-    row.ask(expected(42.0, 1),
-            number(42.0 + distance_off(press.cols())),
+    row.ask(expected(42.0, 1), number(42.0 + distance_off(press.cols())),
             number(42.0 + distance_off(press.cols() - 1)));
   }
   return row;
 }
 
 HardRow hertz() {
-  HardRow row{"skin beside a ball (Hertz), out to a million radii of contact",
-              "the closed form",
-              "relative",
-              1e-9};
+  HardRow row{"skin beside a ball (Hertz), out to a million radii of contact", "the closed form",
+              "relative", 1e-9};
   for (int i = 0; i <= 240; ++i) {
     const double q = std::pow(10.0, -6.0 * i / 240.0);
     const double p = 1 / q;
@@ -310,8 +292,7 @@ HardRow steep_series() {
     const double t = -1.0 + 0.02 * i;
     double naive = 0;
     for (std::size_t k = powers.size(); k-- > 0;) naive = naive * t + powers[k];
-    row.ask(expected(exact::series(c, t), c.lpNorm<Eigen::Infinity>()),
-            number(naive),
+    row.ask(expected(exact::series(c, t), c.lpNorm<Eigen::Infinity>()), number(naive),
             number(chebyshev_value(c, t)));
   }
   return row;

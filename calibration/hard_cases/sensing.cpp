@@ -33,10 +33,7 @@ HardAnswer answer_at(const Difference& difference, int v, int u) {
 /// to 11 levels, are not tested.
 HardRow grey_pairs() {
   HardRow row{"brightness differences of all pairs of grey levels: wrong ones",
-              "bytes subtracted and divided",
-              "part wrong",
-              0,
-              HardMeasure::kWrong};
+              "bytes subtracted and divided", "part wrong", 0, HardMeasure::kWrong};
   constexpr int kDark = 12, kLeastLive = 3;
   cv::Mat live(256, 256, CV_8UC1), untouched(256, 256, CV_32FC1);
   for (int i = 0; i < 256; ++i)
@@ -56,8 +53,7 @@ HardRow grey_pairs() {
               : k >= kClippedFrom || i >= kClippedFrom
                   ? expected_refusal({"saturated"})
                   : expected(truth, 1e-6 * (1.0 + std::abs(truth))),
-              number(static_cast<double>(wrapped) / k),
-              answer_at(own, i, k));
+              number(static_cast<double>(wrapped) / k), answer_at(own, i, k));
     }
   return row;
 }
@@ -66,9 +62,7 @@ HardRow grey_pairs() {
 /// of noise in both images: the mean of the quotient is not the quotient of the means.
 HardRow dark_reference() {
   HardRow row{"mean difference where the untouched face has 12 to 40 grey levels, truth 0.2: error",
-              "(I_ref - I) / I_ref of each pixel",
-              "of x",
-              0.0015};
+              "(I_ref - I) / I_ref of each pixel", "of x", 0.0015};
   constexpr double kTruth = 0.2, kNoise = 1.0;
   constexpr int kSide = 512, kLeast = 12, kMost = 40;
   const FaceShape shape = flat_sensor({kSide, kSide}, 0.05);
@@ -90,8 +84,7 @@ HardRow dark_reference() {
     const Difference own = difference(live, reference, shape, {});
     const cv::Mat measured = own.flags == kMeasured;
     const bool enough = cv::countNonZero(measured) > 0.99 * kSide * kSide;
-    row.ask(expected(kTruth, 1),
-            number(naive),
+    row.ask(expected(kTruth, 1), number(naive),
             enough ? number(cv::mean(own.x, measured)[0]) : refused("too dark"));
   }
   return row;
@@ -104,11 +97,8 @@ double brightness_at(const Eigen::Vector3d& pose) {
 }
 
 HardRow reference_brightness() {
-  HardRow row{"brightness of a pose between 1650 recorded ones",
-              "nearest frame",
-              "relative, rms",
-              0.0008,
-              HardMeasure::kRms};
+  HardRow row{"brightness of a pose between 1650 recorded ones", "nearest frame", "relative, rms",
+              0.0008, HardMeasure::kRms};
   std::mt19937 random(11);
   std::uniform_real_distribution<double> coordinate(-60.0, 60.0);
   constexpr int kRecorded = 1650, kNear = 12;
@@ -118,9 +108,7 @@ HardRow reference_brightness() {
   for (int i = 0; i < 300; ++i) {
     const Eigen::Vector3d query =
         0.9 * Eigen::Vector3d(coordinate(random), coordinate(random), coordinate(random));
-    std::partial_sort(poses.begin(),
-                      poses.begin() + kNear,
-                      poses.end(),
+    std::partial_sort(poses.begin(), poses.begin() + kNear, poses.end(),
                       [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
                         return (a - query).squaredNorm() < (b - query).squaredNorm();
                       });
@@ -158,10 +146,8 @@ DepthMap untouched_map(const cv::Size& size) {
 
 /// A long contact at the far end of a very wide image.
 HardRow far_contact() {
-  HardRow row{"angle of a contact 16000 px from the origin",
-              "E[x^2] - E[x]^2 in single precision",
-              "degrees",
-              0.5};
+  HardRow row{"angle of a contact 16000 px from the origin", "E[x^2] - E[x]^2 in single precision",
+              "degrees", 0.5};
   constexpr int kWidth = 16384, kHeight = 64;
   const FaceShape shape = flat_sensor({kWidth, kHeight}, 0.05);
   for (const double angle : {-50.0, -5.0, 30.0}) {
@@ -184,8 +170,7 @@ HardRow far_contact() {
                 yy = svv / n - sv / n * (sv / n);
     const double naive = 0.5 * std::atan2(2.0 * static_cast<double>(xy),
                                           static_cast<double>(xx) - static_cast<double>(yy));
-    row.ask(expected(angle, 1),
-            number(naive * 180.0 / M_PI),
+    row.ask(expected(angle, 1), number(naive * 180.0 / M_PI),
             angle_of(contact_regions(map, shape, shape.face(), {})));
   }
   return row;
@@ -193,8 +178,8 @@ HardRow far_contact() {
 
 /// A contact over an entire wide image, with a depth small against the noise.
 HardRow wide_contact() {
-  HardRow row{
-      "volume of a contact of 4 million pixels", "summed in single precision", "relative", 1e-6};
+  HardRow row{"volume of a contact of 4 million pixels", "summed in single precision", "relative",
+              1e-6};
   constexpr int kSide = 2048;
   constexpr double kMmPerPx = 0.01;
   const FaceShape shape = flat_sensor({kSide, kSide}, kMmPerPx);
@@ -216,10 +201,7 @@ HardRow wide_contact() {
 /// as long as wide, which has an axis.
 HardRow round_contact() {
   HardRow row{"angles told of 20 round contacts, and of 20 long ones not or wrong by 5 degrees",
-              "principal axes",
-              "part wrong",
-              0,
-              HardMeasure::kWrong};
+              "principal axes", "part wrong", 0, HardMeasure::kWrong};
   constexpr int kSide = 96;
   constexpr double kNoise = 0.01;
   const FaceShape shape = flat_sensor({kSide, kSide}, 0.05);
@@ -248,8 +230,7 @@ HardRow round_contact() {
     const Eigen::Matrix2d spread = second / sum - first / sum * (first / sum).transpose();
     const double naive = 0.5 * std::atan2(2 * spread(0, 1), spread(0, 0) - spread(1, 1));
     row.ask(
-        is_round ? expected_refusal({"no angle"}) : expected(angle, 5),
-        number(naive * 180 / M_PI),
+        is_round ? expected_refusal({"no angle"}) : expected(angle, 5), number(naive * 180 / M_PI),
         angle_of(contact_regions(map, shape, shape.face(), {.noise_mm = kNoise, .untouched = {}})));
   }
   return row;
@@ -259,9 +240,7 @@ HardRow round_contact() {
 /// variance of a recording, (0.05 px)^2: 0.0005 of the total.
 HardRow marker_spread() {
   HardRow row{"spread of markers 4000 px from the origin through 2000 frames",
-              "running sums of u and u^2 in single precision",
-              "relative",
-              1e-3};
+              "running sums of u and u^2 in single precision", "relative", 1e-3};
   constexpr int kFrames = 2001;
   Eigen::MatrixXd layouts(kFrames, 8);
   float sum = 0, squares = 0;
@@ -279,19 +258,15 @@ HardRow marker_spread() {
   const auto model = MarkerModel::learn(layouts, typical);
   const float n = kFrames;
   const auto variance = static_cast<double>((squares - sum * sum / n) / (n - 1));
-  row.ask(expected(std::sqrt(truth)),
-          number(std::sqrt(8 * variance)),
+  row.ask(expected(std::sqrt(truth)), number(std::sqrt(8 * variance)),
           model ? number(model->mode_sd_px()[0]) : refused(model.error().what.english()));
   return row;
 }
 
 /// Markers exactly at rest, which have no direction, and moved by a pixel each, which have one.
 HardRow no_direction() {
-  HardRow row{"direction of a touch that is none, and of pushes in 24 directions",
-              "o / |o|",
-              "part wrong",
-              0,
-              HardMeasure::kWrong};
+  HardRow row{"direction of a touch that is none, and of pushes in 24 directions", "o / |o|",
+              "part wrong", 0, HardMeasure::kWrong};
   ContactSettings settings;
   settings.threshold_px = 0.0;
   for (int m = 0; m < 24; ++m)
@@ -313,8 +288,7 @@ HardRow no_direction() {
     const Eigen::Vector2d naive = offset / offset.norm();
     row.ask(step == 24 ? expected_refusal({"not touched"})
                        : HardQuestion{{push.x(), push.y()}, {}, 1e-9},
-            {{naive.x(), naive.y()}, ""},
-            own);
+            {{naive.x(), naive.y()}, ""}, own);
   }
   return row;
 }
@@ -344,8 +318,7 @@ Dot dot_of(const Eigen::VectorXd& coordinates, int m, const std::function<double
 
 /// The marker positions that the model computes from dots, and those of the n-th dot of a row taken
 /// for the n-th marker. Returned are the positions of the markers `of`, in their order.
-HardAnswer modelled(const MarkerModel& model,
-                    const std::vector<Dot>& dots,
+HardAnswer modelled(const MarkerModel& model, const std::vector<Dot>& dots,
                     const std::vector<int>& of) {
   const auto markers = model.number(dots);
   if (!markers) return refused("fit no pose");
@@ -375,10 +348,7 @@ HardAnswer sorted(std::vector<Dot> dots, const std::vector<int>& of) {
 /// Six of 24 markers hidden, the others in any order: each dot must be assigned to its marker.
 HardRow hidden_markers() {
   HardRow row{"numbers of markers, 6 of 24 hidden: frames with a dot not used, or 3 px off",
-              "sorted along the picture",
-              "part of frames",
-              0.001,
-              HardMeasure::kWrong};
+              "sorted along the picture", "part of frames", 0.001, HardMeasure::kWrong};
   std::mt19937 random(12);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   std::normal_distribution<double> normal(0.0, 0.05);
@@ -405,8 +375,7 @@ HardRow hidden_markers() {
       dots.push_back(dot_of(truth, m, noise));
       question.truth.insert(question.truth.end(), {truth[2 * m], truth[2 * m + 1]});
     }
-    row.ask(question,
-            sorted(dots, order),
+    row.ask(question, sorted(dots, order),
             model ? modelled(*model, dots, order) : refused(model.error().what.english()));
   }
   return row;
@@ -415,12 +384,8 @@ HardRow hidden_markers() {
 }  // namespace
 
 std::vector<HardRow> hard_contacts() {
-  return {far_contact(),
-          round_contact(),
-          wide_contact(),
-          no_direction(),
-          hidden_markers(),
-          marker_spread()};
+  return {far_contact(),  round_contact(),  wide_contact(),
+          no_direction(), hidden_markers(), marker_spread()};
 }
 
 }  // namespace alltact

@@ -70,19 +70,17 @@ bool before(const FoundBall& a, const FoundBall& b) {
 /// Finds the balls of all presses but punches, in an order that depends only on the measurements.
 /// `unusable` receives a sentence without full stop for each other press: no ball to be found, the
 /// same image as another press, too few samples in the contact. A stopped job ends it early.
-std::vector<FoundBall> find_balls(const std::vector<Press>& presses,
-                                  const Face& face,
-                                  const Job& job,
-                                  std::vector<Message>* unusable) {
+std::vector<FoundBall> find_balls(const std::vector<Press>& presses, const Face& face,
+                                  const Job& job, std::vector<Message>* unusable) {
   std::vector<FoundBall> found;
   for (std::size_t i = 0; i < presses.size() && !job.stop_requested(); ++i) {
     const Press& press = presses[i];
     if (press.step_mm) continue;
     job.report(0.2 * static_cast<double>(i) / static_cast<double>(presses.size()),
                en::say("looking for the ball in {}", press.name));
-    const auto duplicate = std::find_if(presses.begin(),
-                                        presses.begin() + static_cast<std::ptrdiff_t>(i),
-                                        [&](const Press& p) { return same_image(p, press); });
+    const auto duplicate =
+        std::find_if(presses.begin(), presses.begin() + static_cast<std::ptrdiff_t>(i),
+                     [&](const Press& p) { return same_image(p, press); });
     if (duplicate != presses.begin() + static_cast<std::ptrdiff_t>(i)) {
       unusable->push_back(en::at(Message::typed(press.name),
                                  en::say("the same image as {}, counted once", duplicate->name)));
@@ -96,13 +94,10 @@ std::vector<FoundBall> find_balls(const std::vector<Press>& presses,
     }
     const Eigen::Vector3d& centre = guess->centre_mm;
     const double reach = 1.06 * press.ball_radius_mm;
-    FoundBall one{&press,
-                  *guess,
-                  sample_around(press, face, centre, reach, kFineSamples),
+    FoundBall one{&press, *guess, sample_around(press, face, centre, reach, kFineSamples),
                   sample_around(press, face, centre, reach, kCoarseSamples)};
     if (contact_samples(one.coarse, centre) < kMinBallSamples) {
-      unusable->push_back(Error{en::say("the contact covers too few pixels"),
-                                press.name,
+      unusable->push_back(Error{en::say("the contact covers too few pixels"), press.name,
                                 en::say("pressing deeper, or a larger image")}
                               .message());
       continue;
@@ -128,8 +123,7 @@ bool is_far(double measured, double seen, double measured_sd, double seen_sd) {
 }
 
 /// Finds the punches among the presses. `left_out` receives the reasons of unusable ones.
-std::vector<StepSamples> find_steps(const std::vector<Press>& presses,
-                                    const Face& face,
+std::vector<StepSamples> find_steps(const std::vector<Press>& presses, const Face& face,
                                     std::vector<Message>* left_out) {
   std::vector<StepSamples> steps;
   for (const Press& press : presses) {
@@ -144,8 +138,7 @@ std::vector<StepSamples> find_steps(const std::vector<Press>& presses,
 }
 
 /// The steps as a fitted curve measures them.
-std::vector<StepFit> steps_of(const std::vector<StepSamples>& steps,
-                              const MappingCurve& curve,
+std::vector<StepFit> steps_of(const std::vector<StepSamples>& steps, const MappingCurve& curve,
                               MappingAlong along) {
   std::vector<StepFit> fits;
   for (const StepSamples& step : steps) {
@@ -160,8 +153,7 @@ std::vector<StepFit> steps_of(const std::vector<StepSamples>& steps,
 /// all depths. Returns the reasons. Drops nothing where the images alone leave the depth open.
 std::vector<Message> drop_contradicting(const std::vector<MeasuredPress>& presses,
                                         std::vector<StepSamples>& steps,
-                                        const CalibrationSettings& settings,
-                                        const Job& job) {
+                                        const CalibrationSettings& settings, const Job& job) {
   const bool any_depth = std::any_of(presses.begin(), presses.end(), [](const MeasuredPress& one) {
     return one.fine->given_depth.has_value();
   });
@@ -197,10 +189,7 @@ std::vector<Message> drop_contradicting(const std::vector<MeasuredPress>& presse
         en::say(
             "its measured depth of {:.3f} +- {:.3f} mm was left out, because the images show "
             "{:.3f} +- {:.3f} mm; depth counts from the ball's first contact, normal to the face",
-            measured->mm,
-            measured->sd_mm,
-            seen_mm,
-            seen_sd_mm)));
+            measured->mm, measured->sd_mm, seen_mm, seen_sd_mm)));
     presses[i].coarse->given_depth.reset();
     presses[i].fine->given_depth.reset();
   }
@@ -210,12 +199,11 @@ std::vector<Message> drop_contradicting(const std::vector<MeasuredPress>& presse
     const double seen_sd_mm = std::sqrt(std::max(
         0.0, seen.by_values.dot(covariance.topLeftCorner(numbers, numbers) * seen.by_values)));
     if (!is_far(step.step_mm, seen.height_mm, seen.sd_mm, seen_sd_mm)) return false;
-    reasons.push_back(en::at(Message::typed(step.press),
-                             en::say("its step of {:.3f} mm was left out, because the balls show "
-                                     "{:.3f} +- {:.3f} mm; check the balls' radius",
-                                     step.step_mm,
-                                     seen.height_mm,
-                                     std::hypot(seen.sd_mm, seen_sd_mm))));
+    reasons.push_back(
+        en::at(Message::typed(step.press),
+               en::say("its step of {:.3f} mm was left out, because the balls show "
+                       "{:.3f} +- {:.3f} mm; check the balls' radius",
+                       step.step_mm, seen.height_mm, std::hypot(seen.sd_mm, seen_sd_mm))));
     return true;
   });
   return reasons;
@@ -225,20 +213,16 @@ Error no_press(const std::vector<Press>& presses, const std::vector<Message>& le
   if (presses.empty())
     return {en::say("no press was given"), "", en::say("at least one image of a pressed ball")};
   if (std::all_of(presses.begin(), presses.end(), [](const Press& p) { return p.step_mm; }))
-    return {en::say("there are only presses of a punch with a step"),
-            "",
+    return {en::say("there are only presses of a punch with a step"), "",
             en::say("pressing a ball at least once as well: a step shows how far apart two depths "
                     "are, not where they begin")};
   return {
-      en::say("none of {} presses could be used: {}", presses.size(), en::sentences(left_out)),
-      "",
+      en::say("none of {} presses could be used: {}", presses.size(), en::sentences(left_out)), "",
       en::say(
           "images in which the ball, and nothing else, is pressed 0.3 mm or more into the face")};
 }
 
-Error stopped() {
-  return {en::say("stopped before there was a solution"), "", ""};
-}
+Error stopped() { return {en::say("stopped before there was a solution"), "", ""}; }
 
 double deepest_mm(const FoundBall& found, const Eigen::Vector3d& centre) {
   double depth = 0;
@@ -256,10 +240,8 @@ JointOptions with_inner_zone(JointOptions options) {
   return options;
 }
 
-std::vector<BallFit> balls_of(const std::vector<FoundBall>& found,
-                              const ModelChoice& choice,
-                              const JointFit& fit,
-                              const JointCovariance& covariance,
+std::vector<BallFit> balls_of(const std::vector<FoundBall>& found, const ModelChoice& choice,
+                              const JointFit& fit, const JointCovariance& covariance,
                               const Job& job) {
   std::vector<const PressSamples*> presses;
   for (const FoundBall& f : found) presses.push_back(&f.fine);
@@ -306,8 +288,7 @@ Error no_mapping(const std::vector<FoundBall>& found, const Face& face) {
             en::say("pressing less deep, and checking the ball's radius and the camera's scale in "
                     "mm per px")};
   return {
-      en::say("no increasing mapping fits the presses"),
-      "",
+      en::say("no increasing mapping fits the presses"), "",
       en::say(
           "leaving out presses with the largest residual, a lower degree, or checking the ball's "
           "radius")};
@@ -342,8 +323,8 @@ double mean_error_mm(const MappingCurve& curve, const Eigen::MatrixXd& covarianc
 
 void sort_as_given(const std::vector<Press>& presses, std::vector<BallFit>* balls) {
   const auto given_order = [&](const BallFit& ball) {
-    return std::find_if(
-        presses.begin(), presses.end(), [&](const Press& p) { return p.name == ball.press; });
+    return std::find_if(presses.begin(), presses.end(),
+                        [&](const Press& p) { return p.name == ball.press; });
   };
   std::stable_sort(balls->begin(), balls->end(), [&](const BallFit& a, const BallFit& b) {
     return given_order(a) < given_order(b);
@@ -352,9 +333,7 @@ void sort_as_given(const std::vector<Press>& presses, std::vector<BallFit>* ball
 
 /// Fits all fine samples, first by brightness alone. That fit shows where to search for the balls'
 /// outlines; a second fit includes the outlines found.
-JointFit fit_finely(std::vector<FoundBall>& found,
-                    const ModelChoice& choice,
-                    const Job& job,
+JointFit fit_finely(std::vector<FoundBall>& found, const ModelChoice& choice, const Job& job,
                     const RoundListener& on_round) {
   std::vector<const PressSamples*> presses;
   for (const FoundBall& f : found) presses.push_back(&f.fine);
@@ -386,11 +365,8 @@ JointFit fit_finely(std::vector<FoundBall>& found,
 }
 
 /// Removes measured depths and steps that contradict the images.
-void check_measured(std::vector<FoundBall>& found,
-                    std::vector<StepSamples>& steps,
-                    const CalibrationSettings& settings,
-                    const Job& job,
-                    Calibration* calibration) {
+void check_measured(std::vector<FoundBall>& found, std::vector<StepSamples>& steps,
+                    const CalibrationSettings& settings, const Job& job, Calibration* calibration) {
   std::vector<MeasuredPress> presses;
   for (FoundBall& f : found)
     presses.push_back({f.press->name, f.guess.centre_mm, &f.coarse, &f.fine});
@@ -398,12 +374,9 @@ void check_measured(std::vector<FoundBall>& found,
     calibration->left_out.push_back(std::move(reason));
 }
 
-Result<Calibration> solve_jointly(std::vector<FoundBall> found,
-                                  std::vector<StepSamples> steps,
-                                  const Face& face,
-                                  const CalibrationSettings& settings,
-                                  const Job& job,
-                                  const RoundListener& on_round,
+Result<Calibration> solve_jointly(std::vector<FoundBall> found, std::vector<StepSamples> steps,
+                                  const Face& face, const CalibrationSettings& settings,
+                                  const Job& job, const RoundListener& on_round,
                                   Calibration calibration) {
   std::vector<const PressSamples*> fine;
   for (const FoundBall& f : found) fine.push_back(&f.fine);
@@ -435,8 +408,7 @@ Result<Calibration> solve_jointly(std::vector<FoundBall> found,
     simple.family = FamilyChoice::kLayer;
     if (auto safe = choose_model(coarse, simple, job)) {
       safe->sentence = en::say("{}, because the {} does not increase on all samples",
-                               safe->fit.curve.family().name(),
-                               fit.curve.family().name());
+                               safe->fit.curve.family().name(), fit.curve.family().name());
       choice = std::move(safe);
       choice->options.settled_mm = JointOptions{}.settled_mm;
       fit = fit_finely(found, *choice, job, on_round);
@@ -457,8 +429,7 @@ Result<Calibration> solve_jointly(std::vector<FoundBall> found,
     calibration.mapping.covariance = 0.5 * (stored + stored.transpose());
   }
   if (const auto mapping = Mapping::create(calibration.mapping); !mapping)
-    return Error{en::say("the solution is not a valid mapping: {}", mapping.error().what),
-                 "",
+    return Error{en::say("the solution is not a valid mapping: {}", mapping.error().what), "",
                  en::say("more presses of different depth, or a lower degree")};
   if (covariance.covariance.size() > 0)
     calibration.weakest = weakest_direction(fit.curve, covariance.covariance.topLeftCorner(n, n));
@@ -477,8 +448,8 @@ Result<Calibration> solve_jointly(std::vector<FoundBall> found,
     calibration.spread_mm =
         std::max(calibration.spread_mm, mean_error_mm(fit.curve, chance.topLeftCorner(n, n)));
   calibration.degree_choice = choice->sentence;
-  calibration.remarks.insert(
-      calibration.remarks.end(), choice->remarks.begin(), choice->remarks.end());
+  calibration.remarks.insert(calibration.remarks.end(), choice->remarks.begin(),
+                             choice->remarks.end());
   if (found.size() == 1)
     calibration.remarks.push_back(
         en::say("one press cannot separate the ball's depth from the mapping: add presses of "
@@ -491,17 +462,13 @@ Result<Calibration> solve_jointly(std::vector<FoundBall> found,
 
 }  // namespace
 
-Result<Calibration> calibrate(const std::vector<Press>& presses,
-                              const Camera& camera,
-                              const Face& face,
-                              const CalibrationSettings& settings,
-                              const Job& job,
+Result<Calibration> calibrate(const std::vector<Press>& presses, const Camera& camera,
+                              const Face& face, const CalibrationSettings& settings, const Job& job,
                               const RoundListener& on_round) {
   for (const Press& press : presses)
     if (!press.step_mm && (!(press.ball_radius_mm > 0.0) || !std::isfinite(press.ball_radius_mm)))
       return Error{en::say("a ball radius of {} mm is impossible", press.ball_radius_mm),
-                   press.name,
-                   en::say("the radius in millimetres, as measured with callipers")};
+                   press.name, en::say("the radius in millimetres, as measured with callipers")};
   try {
     if (settings.method == CalibrationMethod::kPaper)
       return calibrate_as_paper(presses, camera, face, job);
@@ -513,8 +480,8 @@ Result<Calibration> calibrate(const std::vector<Press>& presses,
     Result<Calibration> result = [&]() -> Result<Calibration> {
       if (settings.method == CalibrationMethod::kJoint) {
         auto steps = find_steps(presses, face, &calibration.left_out);
-        return solve_jointly(
-            found, std::move(steps), face, settings, job, on_round, std::move(calibration));
+        return solve_jointly(found, std::move(steps), face, settings, job, on_round,
+                             std::move(calibration));
       }
       std::vector<OutlinePress> outlines;
       for (const FoundBall& f : found) outlines.push_back({f.press, f.guess});
@@ -524,8 +491,7 @@ Result<Calibration> calibrate(const std::vector<Press>& presses,
     job.report(1.0, en::say("done"));
     return result;
   } catch (const std::exception& problem) {
-    return Error{en::say("the calibration failed: {}", std::string(problem.what())),
-                 "",
+    return Error{en::say("the calibration failed: {}", std::string(problem.what())), "",
                  en::say("fewer presses")};
   }
 }
@@ -553,10 +519,8 @@ MethodRow row_of(CalibrationMethod method, const Calibration& made, const Calibr
 
 std::vector<MethodRow> compare_methods(const std::vector<Press>& presses,
                                        const Result<std::vector<Press>>& as_paper,
-                                       const Camera& camera,
-                                       const Face& face,
-                                       const Calibration& joint,
-                                       const Job& job) {
+                                       const Camera& camera, const Face& face,
+                                       const Calibration& joint, const Job& job) {
   std::vector<MethodRow> rows{row_of(CalibrationMethod::kJoint, joint, joint)};
   for (const CalibrationMethod method :
        {CalibrationMethod::kPaper, CalibrationMethod::kCircle, CalibrationMethod::kCone}) {

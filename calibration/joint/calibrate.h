@@ -136,12 +136,9 @@ struct Calibration {
 /// that is not finite or not increasing. A stopped job returns the best solution so far when there
 /// is one. `on_round` is called for each round of the joint method's last solution; the other
 /// methods have no rounds.
-[[nodiscard]] Result<Calibration> calibrate(const std::vector<Press>& presses,
-                                            const Camera& camera,
-                                            const Face& face,
-                                            const CalibrationSettings& settings,
-                                            const Job& job,
-                                            const RoundListener& on_round = {});
+[[nodiscard]] Result<Calibration> calibrate(const std::vector<Press>& presses, const Camera& camera,
+                                            const Face& face, const CalibrationSettings& settings,
+                                            const Job& job, const RoundListener& on_round = {});
 
 // Comparison of the methods on the same presses.
 
@@ -161,9 +158,7 @@ struct MethodRow {
 /// why that failed. Rows: joint, paper, circle, cone; fewer when the job was stopped.
 [[nodiscard]] std::vector<MethodRow> compare_methods(const std::vector<Press>& presses,
                                                      const Result<std::vector<Press>>& as_paper,
-                                                     const Camera& camera,
-                                                     const Face& face,
-                                                     const Calibration& joint,
-                                                     const Job& job);
+                                                     const Camera& camera, const Face& face,
+                                                     const Calibration& joint, const Job& job);
 
 }  // namespace alltact

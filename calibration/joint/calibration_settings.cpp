@@ -23,9 +23,7 @@ const std::vector<Setting<CalibrationSettings>>& calibration_settings() {
           number_setting<S>("presses",
                             en::say("maximum number of presses to use, spread evenly over those "
                                     "given; 0: all of them"),
-                            &S::presses,
-                            0,
-                            1000),
+                            &S::presses, 0, 1000),
           {en::say(
                "more support the curve at more depths and positions; ten well spread are typical"),
            en::say("each must be made, and is left out once to test the prediction"),
@@ -34,9 +32,7 @@ const std::vector<Setting<CalibrationSettings>>& calibration_settings() {
           number_setting<S>(
               "pictures-per-press",
               en::say("maximum number of averaged images of a press held still (--bursts)"),
-              &S::frames_per_press,
-              1,
-              64),
+              &S::frames_per_press, 1, 64),
           {en::say("more leave less noise in a press, by their square root"),
            en::say("the ball must be held still that long, and reading them takes a little time"),
            {"1", "4", "16", "64"}}),
@@ -55,9 +51,7 @@ const std::vector<Setting<CalibrationSettings>>& calibration_settings() {
            {"moebius", "polynomial", "kubelka-munk", "auto"}}),
       number_setting<S>("degree",
                         en::say("degree of the polynomial; 0: chosen by leaving presses out"),
-                        &S::degree,
-                        0,
-                        8),
+                        &S::degree, 0, 8),
       choice_setting<S, AlongChoice>(
           "along",
           en::say("the thickness of the layer that brightness follows: along z, along its normal, "
@@ -77,9 +71,7 @@ const std::vector<Setting<CalibrationSettings>>& calibration_settings() {
       with_trade_off(number_setting<S>("iterations",
                                        en::say("maximum number of rounds of the joint fit; it ends "
                                                "earlier when nothing changes"),
-                                       &S::iterations,
-                                       1,
-                                       60),
+                                       &S::iterations, 1, 60),
                      {en::say("more resolve contradictions between presses; too few leave the "
                               "curve where it began"),
                       en::say("each solves all presses together once, in every trial"),

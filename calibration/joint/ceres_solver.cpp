@@ -19,8 +19,7 @@ CompressedCost::CompressedCost(std::unique_ptr<ceres::CostFunction> full) : full
   set_num_residuals(columns_ + 1);
 }
 
-bool CompressedCost::Evaluate(double const* const* parameters,
-                              double* residuals,
+bool CompressedCost::Evaluate(double const* const* parameters, double* residuals,
                               double** jacobians) const {
   const int rows = full_->num_residuals();
   Eigen::Map<Eigen::VectorXd> few(residuals, num_residuals());

@@ -33,8 +33,7 @@ namespace alltact {
 class CompressedCost final : public ceres::CostFunction {
  public:
   explicit CompressedCost(std::unique_ptr<ceres::CostFunction> full);
-  bool Evaluate(double const* const* parameters,
-                double* residuals,
+  bool Evaluate(double const* const* parameters, double* residuals,
                 double** jacobians) const override;
 
  private:

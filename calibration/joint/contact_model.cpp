@@ -24,9 +24,7 @@ constexpr double kTaper = 0.02;    // half width of the zone's soft border
 
 /// Cosine of the angle at which a sample's line meets the ball; NaN where it misses. Along a
 /// grazing line a small error across the ball's surface is a large one of depth.
-double facing_of(const Sample& sample,
-                 MappingAlong along,
-                 const Eigen::Vector3d& centre,
+double facing_of(const Sample& sample, MappingAlong along, const Eigen::Vector3d& centre,
                  double radius_mm) {
   const bool normal = along == MappingAlong::kNormal;
   const Eigen::Vector3d direction = normal ? sample.normal : Eigen::Vector3d::UnitZ();
@@ -36,8 +34,7 @@ double facing_of(const Sample& sample,
 }
 
 /// Weights of the outline's points, robust against points on something else.
-void weight_outline(const PressSamples& press,
-                    const Eigen::Vector3d& centre,
+void weight_outline(const PressSamples& press, const Eigen::Vector3d& centre,
                     WeightedPress* weighted) {
   // Neighbouring samples share their errors: only a patch is one observation. The outline's points
   // are so far apart that each is one.
@@ -56,8 +53,8 @@ void weight_outline(const PressSamples& press,
   for (Eigen::Index k = 0; k < count; ++k) {
     const auto i = static_cast<std::size_t>(k);
     Eigen::Vector3d by_centre;
-    (void)outline_angle_rad(
-        weighted->outline[i]->direction, centre, press.ball_radius_mm, &by_centre);
+    (void)outline_angle_rad(weighted->outline[i]->direction, centre, press.ball_radius_mm,
+                            &by_centre);
     along_z[k] = weighted->outline_root_weight[i] * by_centre.z();
   }
   const double length = along_z.norm();
@@ -68,11 +65,8 @@ void weight_outline(const PressSamples& press,
 
 }  // namespace
 
-double ball_depth_mm(const Sample& sample,
-                     MappingAlong along,
-                     const Eigen::Vector3d& centre_mm,
-                     double radius_mm,
-                     Eigen::Vector3d* by_centre) {
+double ball_depth_mm(const Sample& sample, MappingAlong along, const Eigen::Vector3d& centre_mm,
+                     double radius_mm, Eigen::Vector3d* by_centre) {
   const bool normal = along == MappingAlong::kNormal;
   const Eigen::Vector3d direction = normal ? sample.normal : Eigen::Vector3d::UnitZ();
   const Eigen::Vector3d from = (normal ? sample.untouched_n : sample.untouched_z) - centre_mm;
@@ -88,14 +82,9 @@ double ball_depth_mm(const Sample& sample,
   return scale * (ahead + half);
 }
 
-double skin_depth_mm(const Sample& sample,
-                     MappingAlong along,
-                     const Eigen::Vector3d& centre_mm,
-                     double radius_mm,
-                     const PressedPlane& plane,
-                     double lift_mm,
-                     Eigen::Vector3d* by_centre,
-                     double* by_lift) {
+double skin_depth_mm(const Sample& sample, MappingAlong along, const Eigen::Vector3d& centre_mm,
+                     double radius_mm, const PressedPlane& plane, double lift_mm,
+                     Eigen::Vector3d* by_centre, double* by_lift) {
   const double ball = ball_depth_mm(sample, along, centre_mm, radius_mm, by_centre);
   if (by_lift != nullptr) *by_lift = 0.0;
   if (!(lift_mm > 0.0) || !std::isfinite(ball)) return ball;
@@ -108,12 +97,8 @@ double skin_depth_mm(const Sample& sample,
   return skin.mm / per_normal;
 }
 
-double blur_mm(const Sample& sample,
-               const PressSamples& press,
-               const MappingCurve& curve,
-               MappingAlong along,
-               const Eigen::Vector3d& centre_mm,
-               const PressedPlane& plane,
+double blur_mm(const Sample& sample, const PressSamples& press, const MappingCurve& curve,
+               MappingAlong along, const Eigen::Vector3d& centre_mm, const PressedPlane& plane,
                double lift_mm) {
   const auto depth_of = [&](const Sample& there) {
     return skin_depth_mm(there, along, centre_mm, press.ball_radius_mm, plane, lift_mm);
@@ -138,12 +123,8 @@ double blur_mm(const Sample& sample,
   return std::isfinite(blur) ? blur : 0.0;
 }
 
-Misfit misfit_of(const Sample& sample,
-                 const PressSamples& press,
-                 const MappingCurve& curve,
-                 MappingAlong along,
-                 const Eigen::Vector3d& centre_mm,
-                 const PressedPlane& plane,
+Misfit misfit_of(const Sample& sample, const PressSamples& press, const MappingCurve& curve,
+                 MappingAlong along, const Eigen::Vector3d& centre_mm, const PressedPlane& plane,
                  double lift_mm) {
   const double depth =
       skin_depth_mm(sample, along, centre_mm, press.ball_radius_mm, plane, lift_mm);
@@ -156,8 +137,7 @@ Misfit misfit_of(const Sample& sample,
   return misfit;
 }
 
-ContactDisc::ContactDisc(const PressSamples& press,
-                         MappingAlong along,
+ContactDisc::ContactDisc(const PressSamples& press, MappingAlong along,
                          const Eigen::Vector3d& centre_mm)
     : along_(along),
       centre_mm_(centre_mm),
@@ -171,8 +151,8 @@ ContactDisc::ContactDisc(const PressSamples& press,
 
 ContactDisc::Position ContactDisc::position_of(const Sample& sample) const {
   const bool normal = along_ == MappingAlong::kNormal;
-  const double depth = ball_depth_mm(
-      sample, normal ? MappingAlong::kNormal : MappingAlong::kZ, centre_mm_, radius_mm_);
+  const double depth = ball_depth_mm(sample, normal ? MappingAlong::kNormal : MappingAlong::kZ,
+                                     centre_mm_, radius_mm_);
   if (!std::isfinite(depth)) return {std::numeric_limits<double>::infinity(), kPatches - 1};
   Eigen::Vector3d contact_point = normal ? sample.untouched_n : sample.untouched_z;
   contact_point -= depth * (normal ? sample.normal : Eigen::Vector3d(0.0, 0.0, 1.0));
@@ -186,10 +166,8 @@ ContactDisc::Position ContactDisc::position_of(const Sample& sample) const {
   return position;
 }
 
-WeightedPress weight_samples(const PressSamples& press,
-                             const JointFit& fit,
-                             const Eigen::Vector3d& centre,
-                             const JointOptions& options) {
+WeightedPress weight_samples(const PressSamples& press, const JointFit& fit,
+                             const Eigen::Vector3d& centre, const JointOptions& options) {
   const ContactDisc disc(press, options.along, centre);
   WeightedPress weighted;
   weighted.plane = disc.plane();
@@ -229,8 +207,7 @@ WeightedPress weight_samples(const PressSamples& press,
   return weighted;
 }
 
-FitQuality quality_of(const std::vector<const PressSamples*>& presses,
-                      const JointFit& fit,
+FitQuality quality_of(const std::vector<const PressSamples*>& presses, const JointFit& fit,
                       const JointOptions& options) {
   FitQuality quality;
   struct Patch {
@@ -249,13 +226,8 @@ FitQuality quality_of(const std::vector<const PressSamples*>& presses,
     for (const Sample& sample : presses[i]->samples) {
       const ContactDisc::Position position = disc.position_of(sample);
       if (!(position.radius <= options.zone)) continue;
-      const Misfit misfit = misfit_of(sample,
-                                      *presses[i],
-                                      fit.curve,
-                                      options.along,
-                                      fit.centres_mm[i],
-                                      disc.plane(),
-                                      fit.lift_mm);
+      const Misfit misfit = misfit_of(sample, *presses[i], fit.curve, options.along,
+                                      fit.centres_mm[i], disc.plane(), fit.lift_mm);
       if (!std::isfinite(misfit.mm)) continue;
       absolute += std::abs(misfit.mm);
       ++count;

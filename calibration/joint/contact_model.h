@@ -46,29 +46,21 @@ struct SkinDepth {
 };
 /// `ball_mm`: depth of the ball at the position, normal to the plane, negative outside its cap.
 /// `lift_mm` 0: the skin follows the ball everywhere.
-[[nodiscard]] SkinDepth skin_depth(double ball_mm,
-                                   double height_mm,
-                                   double radius_mm,
+[[nodiscard]] SkinDepth skin_depth(double ball_mm, double height_mm, double radius_mm,
                                    double lift_mm);
 
 /// How deep a ball presses in at a sample, mm, in the direction of `along`, negative where the ball
 /// is off the face; with its derivative by the centre. NaN where the line misses the ball.
-[[nodiscard]] double ball_depth_mm(const Sample& sample,
-                                   MappingAlong along,
-                                   const Eigen::Vector3d& centre_mm,
-                                   double radius_mm,
+[[nodiscard]] double ball_depth_mm(const Sample& sample, MappingAlong along,
+                                   const Eigen::Vector3d& centre_mm, double radius_mm,
                                    Eigen::Vector3d* by_centre = nullptr);
 
 /// How deep the skin is pressed in at a sample by a ball, with the lift-off of contact_model.h, in
 /// the direction of `along`. Derivatives by the centre and by the lift-off length (may be null).
-[[nodiscard]] double skin_depth_mm(const Sample& sample,
-                                   MappingAlong along,
-                                   const Eigen::Vector3d& centre_mm,
-                                   double radius_mm,
-                                   const PressedPlane& plane,
-                                   double lift_mm,
-                                   Eigen::Vector3d* by_centre = nullptr,
-                                   double* by_lift = nullptr);
+[[nodiscard]] double skin_depth_mm(const Sample& sample, MappingAlong along,
+                                   const Eigen::Vector3d& centre_mm, double radius_mm,
+                                   const PressedPlane& plane, double lift_mm,
+                                   Eigen::Vector3d* by_centre = nullptr, double* by_lift = nullptr);
 
 /// How much deeper a sample reads than the ball is at its middle, mm. A sample is a mean over some
 /// pixels (PressSamples::blur_px2), and the mean of a curved function is not its middle value. By
@@ -76,12 +68,9 @@ struct SkinDepth {
 ///   blur / 2 (laplacian d - M'' / M'^2 |gradient d|^2).
 /// Two thousandths of a millimetre in the middle of a contact become a hundredth in the scale of
 /// all depths, because the ball's centre yields. 0 where the ball's edge is near.
-[[nodiscard]] double blur_mm(const Sample& sample,
-                             const PressSamples& press,
-                             const MappingCurve& curve,
-                             MappingAlong along,
-                             const Eigen::Vector3d& centre_mm,
-                             const PressedPlane& plane = {},
+[[nodiscard]] double blur_mm(const Sample& sample, const PressSamples& press,
+                             const MappingCurve& curve, MappingAlong along,
+                             const Eigen::Vector3d& centre_mm, const PressedPlane& plane = {},
                              double lift_mm = 0.0);
 
 /// Misfit of a sample to the ball: slope (x - g(d)), the noise of x as depth, mm. NaN where the
@@ -92,12 +81,9 @@ struct Misfit {
   double blur_mm = 0;    ///< see blur_mm()
   double lifted_mm = 0;  ///< distance of the skin from the ball, outside the contact
 };
-[[nodiscard]] Misfit misfit_of(const Sample& sample,
-                               const PressSamples& press,
-                               const MappingCurve& curve,
-                               MappingAlong along,
-                               const Eigen::Vector3d& centre_mm,
-                               const PressedPlane& plane = {},
+[[nodiscard]] Misfit misfit_of(const Sample& sample, const PressSamples& press,
+                               const MappingCurve& curve, MappingAlong along,
+                               const Eigen::Vector3d& centre_mm, const PressedPlane& plane = {},
                                double lift_mm = 0.0);
 
 /// Position of samples in the contact: 0 at its middle, 1 at the rim of the ball's cap, where the

@@ -12,10 +12,8 @@
 
 namespace alltact {
 
-PressCost::PressCost(const WeightedPress& weighted,
-                     const MappingCurve& curve,
-                     const JointOptions& options,
-                     bool lifts_off)
+PressCost::PressCost(const WeightedPress& weighted, const MappingCurve& curve,
+                     const JointOptions& options, bool lifts_off)
     : weighted_(weighted), curve_(curve), options_(options), lifts_off_(lifts_off) {
   set_num_residuals(static_cast<int>(weighted.samples.size()));
   mutable_parameter_block_sizes()->push_back(3);
@@ -23,8 +21,7 @@ PressCost::PressCost(const WeightedPress& weighted,
   mutable_parameter_block_sizes()->push_back(1);
 }
 
-bool PressCost::Evaluate(double const* const* parameters,
-                         double* residuals,
+bool PressCost::Evaluate(double const* const* parameters, double* residuals,
                          double** jacobians) const {
   const Eigen::Vector3d centre(parameters[0]);
   const int n = curve_.family().numbers();
@@ -35,21 +32,13 @@ bool PressCost::Evaluate(double const* const* parameters,
     const double weight = weighted_.root_weight[i] * weighted_.slope_mm[i];
     Eigen::Vector3d by_centre;
     double by_lift = 0;
-    const double depth = skin_depth_mm(sample,
-                                       options_.along,
-                                       centre,
-                                       weighted_.ball_radius_mm,
-                                       weighted_.plane,
-                                       lift_mm,
-                                       &by_centre,
-                                       &by_lift);
+    const double depth = skin_depth_mm(sample, options_.along, centre, weighted_.ball_radius_mm,
+                                       weighted_.plane, lift_mm, &by_centre, &by_lift);
     if (!std::isfinite(depth)) return false;
     const bool needs_values = jacobians != nullptr && jacobians[1] != nullptr;
-    const auto [x, slope_mm] = curve_.inverse(parameters[1],
-                                              depth + weighted_.blur_mm[i],
-                                              sample.unit_position,
-                                              sample.x,
-                                              needs_values ? by_values.data() : nullptr);
+    const auto [x, slope_mm] =
+        curve_.inverse(parameters[1], depth + weighted_.blur_mm[i], sample.unit_position, sample.x,
+                       needs_values ? by_values.data() : nullptr);
     if (!std::isfinite(x)) return false;
     residuals[i] = weight * (sample.x - x);
     if (jacobians == nullptr) continue;
@@ -69,15 +58,14 @@ OutlineCost::OutlineCost(const WeightedPress& weighted) : weighted_(weighted) {
   mutable_parameter_block_sizes()->push_back(3);
 }
 
-bool OutlineCost::Evaluate(double const* const* parameters,
-                           double* residuals,
+bool OutlineCost::Evaluate(double const* const* parameters, double* residuals,
                            double** jacobians) const {
   const Eigen::Vector3d centre(parameters[0]);
   for (std::size_t i = 0; i < weighted_.outline.size(); ++i) {
     const double weight = weighted_.outline_root_weight[i];
     Eigen::Vector3d by_centre;
-    const double angle = outline_angle_rad(
-        weighted_.outline[i]->direction, centre, weighted_.ball_radius_mm, &by_centre);
+    const double angle = outline_angle_rad(weighted_.outline[i]->direction, centre,
+                                           weighted_.ball_radius_mm, &by_centre);
     if (!std::isfinite(angle)) return false;
     residuals[i] = weight * angle;
     if (jacobians != nullptr && jacobians[0] != nullptr)
@@ -101,8 +89,7 @@ GivenDepthCost::GivenDepthCost(const WeightedPress& weighted) : weighted_(weight
   mutable_parameter_block_sizes()->push_back(3);
 }
 
-bool GivenDepthCost::Evaluate(double const* const* parameters,
-                              double* residuals,
+bool GivenDepthCost::Evaluate(double const* const* parameters, double* residuals,
                               double** jacobians) const {
   const Eigen::Vector3d centre(parameters[0]);
   const double depth_mm = weighted_.ball_radius_mm - weighted_.plane.height_mm(centre);
@@ -121,8 +108,7 @@ StepCost::StepCost(const StepSamples& step, const MappingCurve& curve, MappingAl
   sd_mm_ = read_step(step, curve, curve.values().data(), along).sd_mm;
 }
 
-bool StepCost::Evaluate(double const* const* parameters,
-                        double* residuals,
+bool StepCost::Evaluate(double const* const* parameters, double* residuals,
                         double** jacobians) const {
   const StepReading reading = read_step(step_, curve_, parameters[0], along_);
   const double root_weight = kRootWeightOfKnown / sd_mm_;
@@ -139,8 +125,7 @@ AbsorptionCost::AbsorptionCost(const MappingCurve& curve) : numbers_(curve.famil
   mutable_parameter_block_sizes()->push_back(numbers_);
 }
 
-bool AbsorptionCost::Evaluate(double const* const* parameters,
-                              double* residuals,
+bool AbsorptionCost::Evaluate(double const* const* parameters, double* residuals,
                               double** jacobians) const {
   residuals[0] = kRootWeightOfKnown * (parameters[0][2] - kMean) / kSd;
   if (jacobians == nullptr || jacobians[0] == nullptr) return true;
@@ -154,18 +139,15 @@ LiftCost::LiftCost() {
   mutable_parameter_block_sizes()->push_back(1);
 }
 
-bool LiftCost::Evaluate(double const* const* parameters,
-                        double* residuals,
+bool LiftCost::Evaluate(double const* const* parameters, double* residuals,
                         double** jacobians) const {
   residuals[0] = kRootWeightOfKnown * (parameters[0][0] - std::log(kTypicalLiftMm));
   if (jacobians != nullptr && jacobians[0] != nullptr) jacobians[0][0] = kRootWeightOfKnown;
   return true;
 }
 
-double outline_angle_rad(const Eigen::Vector3d& direction,
-                         const Eigen::Vector3d& centre_mm,
-                         double radius_mm,
-                         Eigen::Vector3d* by_centre) {
+double outline_angle_rad(const Eigen::Vector3d& direction, const Eigen::Vector3d& centre_mm,
+                         double radius_mm, Eigen::Vector3d* by_centre) {
   const double distance = centre_mm.norm();
   if (!(distance > radius_mm)) return std::numeric_limits<double>::quiet_NaN();
   if (by_centre != nullptr) {

@@ -58,8 +58,7 @@ constexpr double kLiftPart = 0.5;
 }
 
 /// Computes robust weights of the samples in the zone around a ball, and of the outline.
-[[nodiscard]] WeightedPress weight_samples(const PressSamples& press,
-                                           const JointFit& fit,
+[[nodiscard]] WeightedPress weight_samples(const PressSamples& press, const JointFit& fit,
                                            const Eigen::Vector3d& centre,
                                            const JointOptions& options);
 
@@ -68,12 +67,9 @@ constexpr double kLiftPart = 0.5;
 /// the skin leaves the ball at the rim. The arguments must outlive the cost.
 class PressCost final : public ceres::CostFunction {
  public:
-  PressCost(const WeightedPress& weighted,
-            const MappingCurve& curve,
-            const JointOptions& options,
+  PressCost(const WeightedPress& weighted, const MappingCurve& curve, const JointOptions& options,
             bool lifts_off = false);
-  bool Evaluate(double const* const* parameters,
-                double* residuals,
+  bool Evaluate(double const* const* parameters, double* residuals,
                 double** jacobians) const override;
 
  private:
@@ -88,8 +84,7 @@ class PressCost final : public ceres::CostFunction {
 class OutlineCost final : public ceres::CostFunction {
  public:
   explicit OutlineCost(const WeightedPress& weighted);
-  bool Evaluate(double const* const* parameters,
-                double* residuals,
+  bool Evaluate(double const* const* parameters, double* residuals,
                 double** jacobians) const override;
 
  private:
@@ -107,8 +102,7 @@ constexpr double kRootWeightOfKnown = 1.7;
 class AbsorptionCost final : public ceres::CostFunction {
  public:
   explicit AbsorptionCost(const MappingCurve& curve);
-  bool Evaluate(double const* const* parameters,
-                double* residuals,
+  bool Evaluate(double const* const* parameters, double* residuals,
                 double** jacobians) const override;
   static constexpr double kMean = 0.05, kSd = 0.1;
 
@@ -122,8 +116,7 @@ class GivenDepthCost final : public ceres::CostFunction {
  public:
   /// `weighted.given_depth` must have a value.
   explicit GivenDepthCost(const WeightedPress& weighted);
-  bool Evaluate(double const* const* parameters,
-                double* residuals,
+  bool Evaluate(double const* const* parameters, double* residuals,
                 double** jacobians) const override;
 
  private:
@@ -135,8 +128,7 @@ class GivenDepthCost final : public ceres::CostFunction {
 class StepCost final : public ceres::CostFunction {
  public:
   StepCost(const StepSamples& step, const MappingCurve& curve, MappingAlong along);
-  bool Evaluate(double const* const* parameters,
-                double* residuals,
+  bool Evaluate(double const* const* parameters, double* residuals,
                 double** jacobians) const override;
 
  private:
@@ -151,16 +143,14 @@ class StepCost final : public ceres::CostFunction {
 class LiftCost final : public ceres::CostFunction {
  public:
   LiftCost();
-  bool Evaluate(double const* const* parameters,
-                double* residuals,
+  bool Evaluate(double const* const* parameters, double* residuals,
                 double** jacobians) const override;
 };
 
 /// The angle by which a ray passes outside the ball (negative: meets it), and its derivative by the
 /// centre (may be null). NaN with the camera inside the ball.
 [[nodiscard]] double outline_angle_rad(const Eigen::Vector3d& direction,
-                                       const Eigen::Vector3d& centre_mm,
-                                       double radius_mm,
+                                       const Eigen::Vector3d& centre_mm, double radius_mm,
                                        Eigen::Vector3d* by_centre = nullptr);
 
 }  // namespace alltact

@@ -31,9 +31,7 @@ class StopWithJob final : public ceres::IterationCallback {
 };
 
 /// Solves one weighted least-squares problem. False when nothing could be evaluated.
-bool solve(const std::vector<WeightedPress>& weighted,
-           const JointOptions& options,
-           const Job& job,
+bool solve(const std::vector<WeightedPress>& weighted, const JointOptions& options, const Job& job,
            JointFit* fit) {
   const MappingCurve family = fit->curve;
   const bool lifts_off = fit->lift_mm > 0.0, free_lift = lift_is_free(*fit, options);
@@ -45,10 +43,7 @@ bool solve(const std::vector<WeightedPress>& weighted,
     // CompressedCost: hundreds of samples a press, but only five to a dozen unknowns.
     problem.AddResidualBlock(
         new CompressedCost(std::make_unique<PressCost>(weighted[i], family, options, lifts_off)),
-        nullptr,
-        fit->centres_mm[i].data(),
-        fit->curve.values().data(),
-        &log_lift);
+        nullptr, fit->centres_mm[i].data(), fit->curve.values().data(), &log_lift);
     if (!weighted[i].outline.empty())
       problem.AddResidualBlock(new OutlineCost(weighted[i]), nullptr, fit->centres_mm[i].data());
     if (weighted[i].given_depth)
@@ -56,8 +51,8 @@ bool solve(const std::vector<WeightedPress>& weighted,
   }
   if (options.steps != nullptr && !options.fix_mapping)
     for (const StepSamples& step : *options.steps)
-      problem.AddResidualBlock(
-          new StepCost(step, family, options.along), nullptr, fit->curve.values().data());
+      problem.AddResidualBlock(new StepCost(step, family, options.along), nullptr,
+                               fit->curve.values().data());
   if (options.fix_mapping)
     problem.SetParameterBlockConstant(fit->curve.values().data());
   else if (family.family().absorbs())
@@ -87,17 +82,14 @@ double change_between(const JointFit& a, const JointFit& b) {
 
 bool is_finite(const JointFit& fit) {
   if (!fit.curve.values().allFinite() || !std::isfinite(fit.lift_mm)) return false;
-  return std::all_of(fit.centres_mm.begin(), fit.centres_mm.end(), [](const Eigen::Vector3d& c) {
-    return c.allFinite();
-  });
+  return std::all_of(fit.centres_mm.begin(), fit.centres_mm.end(),
+                     [](const Eigen::Vector3d& c) { return c.allFinite(); });
 }
 
 }  // namespace
 
-JointFit fit_jointly(const std::vector<const PressSamples*>& presses,
-                     JointFit start,
-                     const JointOptions& options,
-                     const Job& job) {
+JointFit fit_jointly(const std::vector<const PressSamples*>& presses, JointFit start,
+                     const JointOptions& options, const Job& job) {
   JointFit fit = std::move(start);
   fit.converged = false;
   for (int round = 0; round < options.max_rounds && !job.stop_requested(); ++round) {

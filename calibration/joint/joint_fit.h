@@ -47,10 +47,8 @@ struct JointFit {
 };
 
 /// Improves `start`. A stopped job returns the best fit so far.
-[[nodiscard]] JointFit fit_jointly(const std::vector<const PressSamples*>& presses,
-                                   JointFit start,
-                                   const JointOptions& options,
-                                   const Job& job);
+[[nodiscard]] JointFit fit_jointly(const std::vector<const PressSamples*>& presses, JointFit start,
+                                   const JointOptions& options, const Job& job);
 
 /// Quality of a solution by its residuals.
 struct FitQuality {
@@ -61,8 +59,7 @@ struct FitQuality {
   double lifted_sd_mm = 0;  ///< rms over the rings of the sd by the lift-off
 };
 [[nodiscard]] FitQuality quality_of(const std::vector<const PressSamples*>& presses,
-                                    const JointFit& fit,
-                                    const JointOptions& options);
+                                    const JointFit& fit, const JointOptions& options);
 
 /// Covariance of (mapping values, centres in order; then the lift-off's logarithm if it was free),
 /// and the condition of the scaled problem.
@@ -78,8 +75,7 @@ struct JointCovariance {
 /// of the lift-off adds an error of each ring (kLiftPart). The optics' blur adds an error common to
 /// all presses.
 [[nodiscard]] JointCovariance covariance_of(const std::vector<const PressSamples*>& presses,
-                                            const JointFit& fit,
-                                            const JointOptions& options);
+                                            const JointFit& fit, const JointOptions& options);
 /// The same without the errors of rings and optics that are common to all presses.
 [[nodiscard]] JointCovariance chance_covariance_of(const std::vector<const PressSamples*>& presses,
                                                    const JointFit& fit,

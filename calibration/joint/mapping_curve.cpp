@@ -12,9 +12,7 @@ namespace {
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kSmall = 1e-3;  // below, three terms of a series are exact to 1e-13
 
-double scalar_of(double value) {
-  return value;
-}
+double scalar_of(double value) { return value; }
 template <class T, int N>
 double scalar_of(const ceres::Jet<T, N>& value) {
   return value.a;
@@ -98,9 +96,7 @@ Message CurveFamily::name() const {
   return varies ? en::say("{} that varies over the face", curve) : curve;
 }
 
-double MappingCurve::evaluate(const double* values,
-                              double x,
-                              const Eigen::Vector2d& unit_position,
+double MappingCurve::evaluate(const double* values, double x, const Eigen::Vector2d& unit_position,
                               double* gradient) const {
   const double depth = curve(values, x, gradient);
   if (!family_.varies) return depth;
@@ -147,10 +143,8 @@ double MappingCurve::curve(const double* values, double x, double* gradient) con
   return x * sum;
 }
 
-MappingCurve::Inverse MappingCurve::inverse(const double* values,
-                                            double depth_mm,
-                                            const Eigen::Vector2d& unit_position,
-                                            double near,
+MappingCurve::Inverse MappingCurve::inverse(const double* values, double depth_mm,
+                                            const Eigen::Vector2d& unit_position, double near,
                                             double* gradient) const {
   const double* part = values + family_.coefficients;
   const double factor =
@@ -268,8 +262,7 @@ MappingCurve curve_of(const MappingParameters& parameters) {
   return curve;
 }
 
-MappingParameters mapping_parameters(const MappingCurve& curve,
-                                     MappingAlong along,
+MappingParameters mapping_parameters(const MappingCurve& curve, MappingAlong along,
                                      const PressedArea& part) {
   MappingParameters parameters;
   const MappingCurve stored = stored_form(curve).curve;

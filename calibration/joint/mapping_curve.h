@@ -50,8 +50,7 @@ class MappingCurve {
   [[nodiscard]] double depth_mm(double x, double* gradient = nullptr) const {
     return depth_mm(x, Eigen::Vector2d::Zero(), gradient);
   }
-  [[nodiscard]] double depth_mm(double x,
-                                const Eigen::Vector2d& unit_position,
+  [[nodiscard]] double depth_mm(double x, const Eigen::Vector2d& unit_position,
                                 double* gradient = nullptr) const {
     return evaluate(values_.data(), x, unit_position, gradient);
   }
@@ -59,10 +58,8 @@ class MappingCurve {
   [[nodiscard]] double slope_mm(double x) const { return slope(values_.data(), x); }
 
   /// The same for values stored elsewhere (in a solver).
-  [[nodiscard]] double evaluate(const double* values,
-                                double x,
-                                const Eigen::Vector2d& unit_position,
-                                double* gradient) const;
+  [[nodiscard]] double evaluate(const double* values, double x,
+                                const Eigen::Vector2d& unit_position, double* gradient) const;
 
   /// The difference x at which the mapping gives a depth, and the slope there.
   struct Inverse {
@@ -71,13 +68,10 @@ class MappingCurve {
   };
   /// `near`: where the search starts. `gradient` (dx by the values, may be null) has numbers()
   /// entries.
-  [[nodiscard]] Inverse inverse(const double* values,
-                                double depth_mm,
-                                const Eigen::Vector2d& unit_position,
-                                double near,
+  [[nodiscard]] Inverse inverse(const double* values, double depth_mm,
+                                const Eigen::Vector2d& unit_position, double near,
                                 double* gradient = nullptr) const;
-  [[nodiscard]] Inverse inverse(double depth_mm,
-                                const Eigen::Vector2d& unit_position,
+  [[nodiscard]] Inverse inverse(double depth_mm, const Eigen::Vector2d& unit_position,
                                 double near) const {
     return inverse(values_.data(), depth_mm, unit_position, near);
   }
@@ -106,8 +100,7 @@ struct StoredCurve {
 // A fitted curve as a finger file stores it.
 
 /// The stored form of a fitted curve; `part`: the area of the face that its variation refers to.
-[[nodiscard]] MappingParameters mapping_parameters(const MappingCurve& curve,
-                                                   MappingAlong along,
+[[nodiscard]] MappingParameters mapping_parameters(const MappingCurve& curve, MappingAlong along,
                                                    const PressedArea& part = {});
 
 /// Whether a fitted curve is a mapping: increasing over its entire domain.

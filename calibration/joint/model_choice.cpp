@@ -67,10 +67,7 @@ Message inner_sentence(double zone) {
 /// that offset up; near the rim it shows. The rim shows how far the skin follows the ball, but not
 /// the form in which it leaves it. Where rings show a form that contact_model.h does not model, the
 /// scale would take up ten times its error.
-JointFit choose_zone(const ChoiceInput& input,
-                     JointFit fit,
-                     JointOptions* options,
-                     Message* remark,
+JointFit choose_zone(const ChoiceInput& input, JointFit fit, JointOptions* options, Message* remark,
                      const Job& job) {
   options->zone = kInnerZone;
   fit = fit_jointly(input.presses, as_family(fit, kLayerFamily), *options, job);
@@ -104,8 +101,7 @@ JointFit choose_zone(const ChoiceInput& input,
                   ? en::say(
                         "the inner {:.0f} % of each contact's radius was used; the skin leaves the "
                         "ball over {:.2f} mm",
-                        100.0 * zone,
-                        next.lift_mm)
+                        100.0 * zone, next.lift_mm)
                   : inner_sentence(zone);
     return next;
   }
@@ -114,9 +110,7 @@ JointFit choose_zone(const ChoiceInput& input,
 
 /// Held-out errors with the thickness in direction `along`. All directions use one zone of the
 /// contacts, or their rims would decide.
-std::vector<double> held_out_along(const ChoiceInput& input,
-                                   CurveFamily family,
-                                   MappingAlong along,
+std::vector<double> held_out_along(const ChoiceInput& input, CurveFamily family, MappingAlong along,
                                    const Job& job) {
   constexpr double kZone = 0.75;
   JointOptions options;
@@ -169,9 +163,7 @@ double separation_mm(const ChoiceInput& input) {
 /// Otherwise one shallow press on a steep face would decide, and all other depths would change with
 /// the incline. `remark` reports another direction than the normal, or one that is equally good.
 /// The two displace positions on the face by layer_mm tan(incline). For two presses and more.
-MappingAlong choose_along(const ChoiceInput& input,
-                          CurveFamily family,
-                          Message* remark,
+MappingAlong choose_along(const ChoiceInput& input, CurveFamily family, Message* remark,
                           const Job& job) {
   const auto by_normal = held_out_along(input, family, MappingAlong::kNormal, job);
   MappingAlong chosen = MappingAlong::kNormal;
@@ -194,18 +186,14 @@ MappingAlong choose_along(const ChoiceInput& input,
     *remark = en::say(
         "brightness follows the layer's thickness {}: error on presses left out {:.4f} mm, against "
         "{:.4f} mm along its normal",
-        direction,
-        finite_mean_mm(best),
-        finite_mean_mm(by_normal));
+        direction, finite_mean_mm(best), finite_mean_mm(by_normal));
   if (chosen == MappingAlong::kNormal && !by_normal.empty() && !rival.empty())
     *remark = en::say(
         "the presses do not show whether brightness follows the layer's thickness along its normal "
         "({:.4f} mm on presses left out) or along z ({:.4f} mm): the normal is assumed; if wrong, "
         "positions on the face are {:.1f} mm off along it; use larger images, and presses where "
         "the face is steep and where it is flat",
-        finite_mean_mm(by_normal),
-        finite_mean_mm(rival),
-        separation_mm(input));
+        finite_mean_mm(by_normal), finite_mean_mm(rival), separation_mm(input));
   return chosen;
 }
 
@@ -250,9 +238,7 @@ double steepest_deg(const ChoiceInput& input) {
 /// Mean absolute distance over the domain between a curve and the one with one more number, fitted
 /// to the same presses. All presses share the error of a family that is too simple, and the balls
 /// take it up, so cross-validation does not show it.
-double beyond_family_mm(const ChoiceInput& input,
-                        const JointFit& fit,
-                        const JointOptions& options,
+double beyond_family_mm(const ChoiceInput& input, const JointFit& fit, const JointOptions& options,
                         const Job& job) {
   CurveFamily richer = fit.curve.family();
   if (richer.absorbs()) return 0;  // the covariance contains the error of its third number
@@ -283,8 +269,7 @@ struct FamilyCandidate {
 /// takes the first family that fits.
 std::vector<FamilyCandidate> try_families(const ChoiceInput& input,
                                           const std::vector<CurveFamily>& families,
-                                          const JointFit& start,
-                                          const JointOptions& options,
+                                          const JointFit& start, const JointOptions& options,
                                           const Job& job) {
   constexpr int kMaxWorse = 3;
   std::vector<FamilyCandidate> candidates;
@@ -320,16 +305,13 @@ Message why(const FamilyCandidate& chosen, const FamilyCandidate& best) {
       en::say(
           "{:.4f} mm on presses left out, not distinguishable from the best ({}, {:.4f} mm) and "
           "simpler",
-          error_mm,
-          best.fit.curve.family().name(),
-          mean_mm(best.held_out.errors_mm)));
+          error_mm, best.fit.curve.family().name(), mean_mm(best.held_out.errors_mm)));
 }
 
 /// The best of some families for one direction of the thickness.
 std::optional<ModelChoice> choose_family(const ChoiceInput& input,
                                          const std::vector<CurveFamily>& families,
-                                         MappingAlong along,
-                                         const Job& job) {
+                                         MappingAlong along, const Job& job) {
   ModelChoice choice{{along}, straight_start(input, along, domain_of(input, along)), {}, 0, {}, {}};
   if (!(choice.fit.curve.x_max() > 0.0)) return std::nullopt;
   choice.options.zone = kInnerZone;
@@ -407,10 +389,7 @@ void try_variation(const ChoiceInput& input, ModelChoice* choice, const Job& job
       "the mapping varies over the face, as with uneven light or layer: by {:+.0f} % from the "
       "presses nearest the base to those nearest the tip, by {:+.0f} % from side to side; error on "
       "presses left out {:.4f} mm, against {:.4f} mm with one mapping for all",
-      200.0 * part.x(),
-      200.0 * part.y(),
-      mean_mm(errors),
-      mean_mm(choice->held_out_mm)));
+      200.0 * part.x(), 200.0 * part.y(), mean_mm(errors), mean_mm(choice->held_out_mm)));
   choice->sentence = why(varying, varying);
   store_errors(varying.held_out, choice);
   choice->fit = varying.fit;
@@ -419,8 +398,7 @@ void try_variation(const ChoiceInput& input, ModelChoice* choice, const Job& job
 }  // namespace
 
 std::optional<ModelChoice> choose_model(const ChoiceInput& input,
-                                        const CalibrationSettings& settings,
-                                        const Job& job) {
+                                        const CalibrationSettings& settings, const Job& job) {
   auto choice = choose_along_and_family(input, settings, job);
   if (choice && settings.face_variation == FaceVariationChoice::kAuto)
     try_variation(input, &*choice, job);
@@ -458,10 +436,8 @@ std::vector<int> positions_of(const ChoiceInput& input, const JointFit& all) {
 
 }  // namespace
 
-double error_of_press(const PressSamples& press,
-                      const JointFit& mapping,
-                      const Eigen::Vector3d& centre_mm,
-                      const JointOptions& options,
+double error_of_press(const PressSamples& press, const JointFit& mapping,
+                      const Eigen::Vector3d& centre_mm, const JointOptions& options,
                       const Job& job) {
   // The inner zone only: the rim does not show the mapping's shape.
   JointOptions ball_only = options;
@@ -475,9 +451,7 @@ double error_of_press(const PressSamples& press,
                         : std::numeric_limits<double>::infinity();
 }
 
-HeldOutPresses hold_out(const ChoiceInput& input,
-                        const JointFit& all,
-                        const JointOptions& options,
+HeldOutPresses hold_out(const ChoiceInput& input, const JointFit& all, const JointOptions& options,
                         const Job& job) {
   const std::vector<int> positions = positions_of(input, all);
   const int count =

@@ -56,10 +56,8 @@ struct HeldOutPresses {
 /// (kInnerZone). The ball is fitted to that zone alone, from `centre_mm` on. The mapping and the
 /// lift-off length of `mapping` are fixed. It measures both residuals (the mapping was fitted to
 /// the press) and held-out presses (it was not). Infinite where no ball fits.
-[[nodiscard]] double error_of_press(const PressSamples& press,
-                                    const JointFit& mapping,
-                                    const Eigen::Vector3d& centre_mm,
-                                    const JointOptions& options,
+[[nodiscard]] double error_of_press(const PressSamples& press, const JointFit& mapping,
+                                    const Eigen::Vector3d& centre_mm, const JointOptions& options,
                                     const Job& job);
 
 /// Presses whose contacts lie closer together than the larger one's radius share a position. They
@@ -67,10 +65,8 @@ struct HeldOutPresses {
 /// each press is left out separately. One error for each press, fewer when the job was stopped.
 /// Errors are infinite where the other presses gave no increasing curve: a family that one press
 /// can lead astray is not reliable. `all`: the fit of all presses, to start from.
-[[nodiscard]] HeldOutPresses hold_out(const ChoiceInput& input,
-                                      const JointFit& all,
-                                      const JointOptions& options,
-                                      const Job& job);
+[[nodiscard]] HeldOutPresses hold_out(const ChoiceInput& input, const JointFit& all,
+                                      const JointOptions& options, const Job& job);
 
 /// The jackknife's mean absolute depth error of a curve over the domain; 0 for fewer than two
 /// curves.

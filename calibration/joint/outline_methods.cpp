@@ -34,9 +34,7 @@ constexpr std::array<double, 3> kBlursPx{0.7, 1.1, 1.6};
 
 using Profile = Eigen::Matrix<double, 2 * kHalf + 1, 1>;  // inside to outside
 
-double offset_px(int i) {
-  return (i - kHalf) * kStepPx;
-}
+double offset_px(int i) { return (i - kHalf) * kStepPx; }
 
 std::optional<Profile> profile_at(const cv::Mat& x, const HorizonPoint& horizon) {
   Profile profile;
@@ -155,8 +153,7 @@ ArcFit fit_arc(BorderShape border, const std::vector<Profile>& profiles) {
 }  // namespace
 
 std::vector<HorizonPoint> occluding_horizon(const FaceShape& shape,
-                                            const Eigen::Vector3d& centre_mm,
-                                            double radius_mm,
+                                            const Eigen::Vector3d& centre_mm, double radius_mm,
                                             double step_deg) {
   std::vector<HorizonPoint> occluding;
   const Camera& camera = shape.camera();
@@ -183,8 +180,7 @@ std::vector<HorizonPoint> occluding_horizon(const FaceShape& shape,
   return occluding;
 }
 
-TangentArc find_tangent_arc(const Press& press,
-                            const Eigen::Vector3d& centre_mm,
+TangentArc find_tangent_arc(const Press& press, const Eigen::Vector3d& centre_mm,
                             double radius_mm) {
   // Pieces so far apart that they share no noise.
   const double radius_px = radius_mm / press.shape.camera().mm_per_px_at(centre_mm.z());
@@ -231,8 +227,8 @@ constexpr double kZero_mm = 1e-3;   // tolerance of a zero constant
 constexpr double kMaxMisfit = 0.3;  // above, the cubic fits noise
 
 Error no_circle(const Press& press, Message what) {
-  return {
-      std::move(what), press.name, en::say("pressing the ball in deeper, entirely on the face")};
+  return {std::move(what), press.name,
+          en::say("pressing the ball in deeper, entirely on the face")};
 }
 
 /// The cubic through (x, d) of a press for any ball.
@@ -281,9 +277,7 @@ class CubicOfBall {
 /// The circles of one press and their cubics.
 class CirclesOfPress {
  public:
-  CirclesOfPress(const Press& press,
-                 const std::vector<Sample>& samples,
-                 const Camera& camera,
+  CirclesOfPress(const Press& press, const std::vector<Sample>& samples, const Camera& camera,
                  const Face& face)
       : camera_(camera),
         shape_(press.shape),
@@ -325,8 +319,7 @@ class CirclesOfPress {
 
   /// Bisection. A change of sign at a pole, or where samples appear or vanish, is no zero.
   [[nodiscard]] std::optional<SearchedCircle> between(const Eigen::Vector2d& middle_px,
-                                                      const FaceShape::Local& local,
-                                                      AtDepth from,
+                                                      const FaceShape::Local& local, AtDepth from,
                                                       AtDepth to) const {
     while (to.depth_mm - from.depth_mm > 1e-5) {
       const double half_mm = 0.5 * (from.depth_mm + to.depth_mm);
@@ -354,8 +347,7 @@ class CirclesOfPress {
   }
 
   /// The size for which ball_of_circle() returns that distance.
-  [[nodiscard]] std::optional<Circle> circle_at(const Eigen::Vector2d& middle_px,
-                                                double z_mm,
+  [[nodiscard]] std::optional<Circle> circle_at(const Eigen::Vector2d& middle_px, double z_mm,
                                                 double depth_mm) const {
     if (!camera_.is_perspective()) {
       const double rim2 = depth_mm * (2.0 * radius_mm_ - depth_mm);
@@ -415,10 +407,8 @@ Result<Circle> dark_circle(const Press& press, const Camera& camera) {
   return *circle;
 }
 
-std::optional<Eigen::Vector3d> ball_of_circle(const Circle& circle,
-                                              const Camera& camera,
-                                              double ball_radius_mm,
-                                              double height_mm) {
+std::optional<Eigen::Vector3d> ball_of_circle(const Circle& circle, const Camera& camera,
+                                              double ball_radius_mm, double height_mm) {
   const auto middle = camera.unproject(circle.centre);
   if (!middle) return std::nullopt;
   if (!camera.is_perspective()) {
@@ -435,10 +425,8 @@ std::optional<Eigen::Vector3d> ball_of_circle(const Circle& circle,
   return Eigen::Vector3d(middle->direction.normalized() * (ball_radius_mm / sine));
 }
 
-Result<SearchedCircle> search_circle(const Press& press,
-                                     const Circle& dark,
-                                     const std::vector<Sample>& samples,
-                                     const Camera& camera,
+Result<SearchedCircle> search_circle(const Press& press, const Circle& dark,
+                                     const std::vector<Sample>& samples, const Camera& camera,
                                      const Face& face) {
   const CirclesOfPress search(press, samples, camera, face);
   std::optional<SearchedCircle> best;
@@ -469,8 +457,7 @@ constexpr int kCloudDegree = 3;
 constexpr int kCloudBlockPx = 2;
 constexpr std::size_t kMinCloudSamples = 50;
 
-std::optional<MappingCurve> curve_through(const std::vector<BallCloud>& clouds,
-                                          int coefficients,
+std::optional<MappingCurve> curve_through(const std::vector<BallCloud>& clouds, int coefficients,
                                           double x_max) {
   std::vector<double> x, depth;
   for (const BallCloud& cloud : clouds) {
@@ -501,10 +488,8 @@ std::vector<Sample> samples_inside(const Press& press, const Face& face, const C
   return samples;
 }
 
-Result<BallCloud> cloud_of_ball(const Press& press,
-                                const std::vector<Sample>& samples,
-                                const Eigen::Vector3d& centre_mm,
-                                bool cut_by_edge) {
+Result<BallCloud> cloud_of_ball(const Press& press, const std::vector<Sample>& samples,
+                                const Eigen::Vector3d& centre_mm, bool cut_by_edge) {
   BallCloud cloud;
   for (const Sample& sample : samples) {
     const double depth = ball_depth_mm(sample, MappingAlong::kZ, centre_mm, press.ball_radius_mm);
@@ -514,8 +499,7 @@ Result<BallCloud> cloud_of_ball(const Press& press,
   }
   if (cloud.x.size() < kMinCloudSamples)
     return Error{en::say("the ball that follows from the dark border hardly touches the face"),
-                 press.name,
-                 ""};
+                 press.name, ""};
   cloud.ball.press = press.name;
   cloud.ball.radius_mm = press.ball_radius_mm;
   cloud.ball.centre_mm = centre_mm;
@@ -535,8 +519,7 @@ Result<Calibration> fit_cubic_mapping(const std::vector<BallCloud>& clouds,
   for (int degree = kCloudDegree; degree >= 1 && !curve; --degree)
     curve = curve_through(clouds, degree, x_max);
   if (!curve)
-    return Error{en::say("the polynomial through the balls' depths does not increase"),
-                 "",
+    return Error{en::say("the polynomial through the balls' depths does not increase"), "",
                  en::say("the joint method, or more presses of different depth")};
   const int degree = curve->family().coefficients;
   if (degree != kCloudDegree)
@@ -564,8 +547,7 @@ constexpr double kMinConeArcDeg = 40;  // of the outline; less does not determin
 
 /// The circle of the steepest fall of x along rays from the dark disc's middle, around its 40 %
 /// contour.
-std::optional<Circle> border_circle(const cv::Mat& x,
-                                    const Eigen::Vector2d& middle,
+std::optional<Circle> border_circle(const cv::Mat& x, const Eigen::Vector2d& middle,
                                     double radius_px) {
   constexpr int kRays = 180;
   constexpr double kStep = 2.0;
@@ -601,9 +583,7 @@ struct Border {
   FaceShape::Local middle;  ///< under the circle's middle
 };
 
-Error no_ball(const Press& press, Message why) {
-  return {std::move(why), press.name, ""};
-}
+Error no_ball(const Press& press, Message why) { return {std::move(why), press.name, ""}; }
 
 Result<Border> border_of(const OutlinePress& input) {
   const Press& press = *input.press;
@@ -649,8 +629,7 @@ Result<Eigen::Vector3d> by_cone(const OutlinePress& input) {
     return no_ball(press,
                    en::say("{:.0f} degrees of the ball's outline are visible, a cone needs {:.0f}; "
                            "the rest of the dark border is where the skin leaves the ball",
-                           arc.arc_deg,
-                           kMinConeArcDeg));
+                           arc.arc_deg, kMinConeArcDeg));
   std::vector<Eigen::Vector3d> directions;
   for (const OutlinePoint& point : arc.points) directions.push_back(point.direction);
   const auto centre = fit_ball_to_outline(directions, press.ball_radius_mm);
@@ -658,8 +637,7 @@ Result<Eigen::Vector3d> by_cone(const OutlinePress& input) {
   return *centre;
 }
 
-Result<BallCloud> solve_press(const OutlinePress& input,
-                              CalibrationMethod method,
+Result<BallCloud> solve_press(const OutlinePress& input, CalibrationMethod method,
                               const Face& face) {
   const Press& press = *input.press;
   const auto border = border_of(input);
@@ -667,25 +645,21 @@ Result<BallCloud> solve_press(const OutlinePress& input,
   const auto centre =
       method == CalibrationMethod::kCone ? by_cone(input) : by_contact_line(*border, face);
   if (!centre) return centre.error();
-  return cloud_of_ball(
-      press, samples_inside(press, face, border->circle), *centre, input.guess.cut_by_edge);
+  return cloud_of_ball(press, samples_inside(press, face, border->circle), *centre,
+                       input.guess.cut_by_edge);
 }
 
 }  // namespace
 
 Result<Calibration> calibrate_by_outline(const std::vector<OutlinePress>& presses,
-                                         CalibrationMethod method,
-                                         const Face& face,
-                                         const Job& job,
+                                         CalibrationMethod method, const Face& face, const Job& job,
                                          Calibration calibration) {
   CloudsFound found = clouds_of(
       presses, [&](const OutlinePress& press) { return solve_press(press, method, face); }, job);
   if (found.clouds.empty())
     return Error{en::say("no ball follows from the dark border of any of {} presses ({})",
-                         presses.size(),
-                         found.reason),
-                 "",
-                 en::say("the joint method, which fits the ball itself")};
+                         presses.size(), found.reason),
+                 "", en::say("the joint method, which fits the ball itself")};
   std::move(found.left_out.begin(), found.left_out.end(), std::back_inserter(calibration.left_out));
   return fit_cubic_mapping(found.clouds, std::move(calibration));
 }
@@ -703,20 +677,16 @@ Result<BallCloud> cloud_of_press(const Press& press, const Camera& camera, const
 
 }  // namespace
 
-Result<Calibration> calibrate_as_paper(const std::vector<Press>& presses,
-                                       const Camera& camera,
-                                       const Face& face,
-                                       const Job& job) {
+Result<Calibration> calibrate_as_paper(const std::vector<Press>& presses, const Camera& camera,
+                                       const Face& face, const Job& job) {
   CloudsFound found = clouds_of(
       presses, [&](const Press& press) { return cloud_of_press(press, camera, face); }, job);
   if (found.clouds.empty() && found.stopped)
     return Error{en::say("stopped before the first solution"), "", ""};
   if (found.clouds.empty())
     return Error{en::say("the source paper's method finds a ball in none of {} presses ({})",
-                         presses.size(),
-                         found.reason),
-                 "",
-                 en::say("the joint method, which fits the ball itself")};
+                         presses.size(), found.reason),
+                 "", en::say("the joint method, which fits the ball itself")};
   Calibration calibration;
   calibration.left_out = std::move(found.left_out);
   return fit_cubic_mapping(found.clouds, std::move(calibration));

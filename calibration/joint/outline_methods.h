@@ -40,8 +40,7 @@ struct HorizonPoint {
 /// ball. Empty for an orthographic camera, whose rays are normal to the face.
 [[nodiscard]] std::vector<HorizonPoint> occluding_horizon(const FaceShape& shape,
                                                           const Eigen::Vector3d& centre_mm,
-                                                          double radius_mm,
-                                                          double step_deg);
+                                                          double radius_mm, double step_deg);
 
 struct TangentArc {
   std::vector<OutlinePoint> points;
@@ -52,8 +51,7 @@ struct TangentArc {
 /// normal of each piece of the occluding horizon it fits the jump that explains the brightness
 /// best, to a fraction of a pixel. The arc counts only where jumps explain the image clearly better
 /// than a fading border, exceed the noise, and form at least 20 degrees.
-[[nodiscard]] TangentArc find_tangent_arc(const Press& press,
-                                          const Eigen::Vector3d& centre_mm,
+[[nodiscard]] TangentArc find_tangent_arc(const Press& press, const Eigen::Vector3d& centre_mm,
                                           double radius_mm);
 
 // The source paper's ball: a circle in the image. Its position and size are searched until the
@@ -86,11 +84,9 @@ struct SearchedCircle {
 /// is chosen. Middles lie within 1.2 of the ball's radius of `dark`. Sizes are those for which the
 /// ball presses between nothing and the layer's thickness. `samples`: of the dark disc. Error: no
 /// circle meets it, or the best cubic leaves 0.3 of the depths' spread, as noise does.
-[[nodiscard]] Result<SearchedCircle> search_circle(const Press& press,
-                                                   const Circle& dark,
+[[nodiscard]] Result<SearchedCircle> search_circle(const Press& press, const Circle& dark,
                                                    const std::vector<Sample>& samples,
-                                                   const Camera& camera,
-                                                   const Face& face);
+                                                   const Camera& camera, const Face& face);
 
 // From balls that were found one by one to a mapping: one polynomial through all their depths.
 
@@ -101,8 +97,7 @@ struct BallCloud {
 };
 
 /// The samples of a press, blocks of 2 px, within a circle in the image.
-[[nodiscard]] std::vector<Sample> samples_inside(const Press& press,
-                                                 const Face& face,
+[[nodiscard]] std::vector<Sample> samples_inside(const Press& press, const Face& face,
                                                  const Circle& circle);
 
 /// Computes the depth of a ball over samples, where it presses at all: d = z_LUF - z_D. The ball's
@@ -110,8 +105,7 @@ struct BallCloud {
 /// presses fewer than 50 samples.
 [[nodiscard]] Result<BallCloud> cloud_of_ball(const Press& press,
                                               const std::vector<Sample>& samples,
-                                              const Eigen::Vector3d& centre_mm,
-                                              bool cut_by_edge);
+                                              const Eigen::Vector3d& centre_mm, bool cut_by_edge);
 
 /// The clouds of the presses for which `cloud_of` finds one. `left_out` holds the reasons of the
 /// others.
@@ -160,10 +154,8 @@ struct OutlinePress {
 /// The stored mapping is that of fit_cubic_mapping(). Errors: no press with a ball, no increasing
 /// curve.
 [[nodiscard]] Result<Calibration> calibrate_by_outline(const std::vector<OutlinePress>& presses,
-                                                       CalibrationMethod method,
-                                                       const Face& face,
-                                                       const Job& job,
-                                                       Calibration calibration);
+                                                       CalibrationMethod method, const Face& face,
+                                                       const Job& job, Calibration calibration);
 
 // The source paper's calibration: each press's circle searched separately, then one cubic without
 // constant through all of them.
@@ -172,8 +164,7 @@ struct OutlinePress {
 /// methods. Presses whose circle cannot be found are left out with their reason. Errors: no press
 /// with a circle, no increasing curve.
 [[nodiscard]] Result<Calibration> calibrate_as_paper(const std::vector<Press>& presses,
-                                                     const Camera& camera,
-                                                     const Face& face,
+                                                     const Camera& camera, const Face& face,
                                                      const Job& job);
 
 }  // namespace alltact

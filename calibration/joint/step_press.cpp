@@ -111,8 +111,7 @@ struct Searched {
 
 /// Fits a separate plane on either side of a line. Brightness is no linear function of depth, so
 /// the two levels of a tilted punch are not parallel in it.
-StepLine fit_step_line(const std::vector<Searched>& samples,
-                       const Eigen::Vector2d& across,
+StepLine fit_step_line(const std::vector<Searched>& samples, const Eigen::Vector2d& across,
                        double at) {
   struct Side {
     Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
@@ -146,9 +145,7 @@ StepLine fit_step_line(const std::vector<Searched>& samples,
     middle += one.position_mm / static_cast<double>(samples.size());
   middle += (at - across.dot(middle)) * across;
   const Eigen::Vector3d there(1.0, middle.x(), middle.y());
-  return {across,
-          at,
-          std::sqrt(left / (sides[0].count + sides[1].count)),
+  return {across, at, std::sqrt(left / (sides[0].count + sides[1].count)),
           there.dot(planes[1] - planes[0])};
 }
 
@@ -183,8 +180,7 @@ double scatter_without(const std::vector<Searched>& samples) {
 }
 
 Error refused(const Press& press, Message what) {
-  return {std::move(what),
-          press.name,
+  return {std::move(what), press.name,
           en::say("pressing the punch in until the skin rests on both of its levels, each 4 mm "
                   "wide or more")};
 }
@@ -226,9 +222,7 @@ Result<StepSamples> find_step(const Press& press, const Face& face) {
   return step;
 }
 
-StepReading read_step(const StepSamples& step,
-                      const MappingCurve& curve,
-                      const double* values,
+StepReading read_step(const StepSamples& step, const MappingCurve& curve, const double* values,
                       MappingAlong along) {
   const std::vector<Sample>& samples = step.samples.samples;
   const auto count = static_cast<Eigen::Index>(samples.size());
@@ -270,8 +264,7 @@ StepReading read_step(const StepSamples& step,
   const double uneven2 =
       ((up - rows * planes).squaredNorm() - noise.squaredNorm()) / static_cast<double>(count);
   reading.sd_mm = std::hypot(2.0 * weight.cwiseProduct(noise).norm(),  // neighbours share noise
-                             kUnevenPart * std::sqrt(std::max(0.0, uneven2)),
-                             kFlatSdMm);
+                             kUnevenPart * std::sqrt(std::max(0.0, uneven2)), kFlatSdMm);
   return reading;
 }
 

@@ -35,9 +35,7 @@ struct StepReading {
   Eigen::VectorXd by_values;  ///< derivative of the height by the curve's numbers
 };
 /// `values`: the curve's own, or those in a solver.
-[[nodiscard]] StepReading read_step(const StepSamples& step,
-                                    const MappingCurve& curve,
-                                    const double* values,
-                                    MappingAlong along);
+[[nodiscard]] StepReading read_step(const StepSamples& step, const MappingCurve& curve,
+                                    const double* values, MappingAlong along);
 
 }  // namespace alltact

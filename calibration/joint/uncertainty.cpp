@@ -35,8 +35,7 @@ Eigen::MatrixXd gradients_of(const MappingCurve& curve) {
 }
 
 /// Root mean square over the domain; infinite when the presses do not determine it.
-double depth_sd_mm(const std::vector<const PressSamples*>& presses,
-                   const JointFit& fit,
+double depth_sd_mm(const std::vector<const PressSamples*>& presses, const JointFit& fit,
                    const JointOptions& options) {
   const Eigen::MatrixXd covariance = covariance_of(presses, fit, options).covariance;
   if (covariance.size() == 0) return std::numeric_limits<double>::infinity();
@@ -57,10 +56,8 @@ double difference_at(const MappingCurve& curve, double depth_mm) {
 }
 
 /// Simulates a press with the ball at `centre` from the samples of one that was made.
-PressSamples simulated_press(const PressSamples& like,
-                             const MappingCurve& curve,
-                             const Eigen::Vector3d& centre,
-                             const JointOptions& options,
+PressSamples simulated_press(const PressSamples& like, const MappingCurve& curve,
+                             const Eigen::Vector3d& centre, const JointOptions& options,
                              std::uint32_t number) {
   PressSamples press = like;
   press.outline.clear();
@@ -88,8 +85,7 @@ Pressed pressed_by(const PressSamples& press, const Eigen::Vector3d& centre) {
   const Sample* nearest = nearest_sample(press, centre);
   if (nearest == nullptr) return {};
   return {press.ball_radius_mm - nearest->normal.dot(centre - nearest->untouched_n),
-          nearest->position_mm,
-          nearest->normal};
+          nearest->position_mm, nearest->normal};
 }
 
 Message position_text(double along_mm, double across_mm) {
@@ -130,19 +126,16 @@ WeakestDirection weakest_direction(const MappingCurve& curve, const Eigen::Matri
           ? en::say(
                 "the scale is least certain: all depths may be too large or too small together, by "
                 "{:.3f} mm at {:.2f} mm (one standard deviation)",
-                weakest.sd_mm,
-                weakest.depth_mm)
+                weakest.sd_mm, weakest.depth_mm)
           : en::say(
                 "the relation of shallow to deep is least certain: by {:.3f} mm at {:.2f} mm (one "
                 "standard deviation), with opposite sign at the other end",
-                weakest.sd_mm,
-                weakest.depth_mm);
+                weakest.sd_mm, weakest.depth_mm);
   return weakest;
 }
 
 std::optional<RadiusSensitivity> vary_radius(const std::vector<const PressSamples*>& presses,
-                                             const JointFit& fit,
-                                             const JointOptions& options,
+                                             const JointFit& fit, const JointOptions& options,
                                              const Job& job) {
   constexpr double kPart = 0.01;
   constexpr double kSeen = 0.1;  // of the residual
@@ -183,23 +176,17 @@ std::optional<RadiusSensitivity> vary_radius(const std::vector<const PressSample
   const Message figures = en::say(
       "a ball 1 % larger than given makes depths {:.1f} % {}; the residual is {:.4f} mm with a "
       "radius 1 % smaller, {:.4f} mm as given, {:.4f} mm with one 1 % larger",
-      100.0 * std::abs(sensitivity.depth_part),
-      other,
-      sensitivity.smaller_mm,
-      sensitivity.given_mm,
+      100.0 * std::abs(sensitivity.depth_part), other, sensitivity.smaller_mm, sensitivity.given_mm,
       sensitivity.larger_mm);
-  sensitivity.sentence =
-      en::at(figures,
-             sensitivity.is_seen ? en::say("a wrong radius would be noticed")
-                                 : en::say("the presses cannot show a wrong radius, so measure "
-                                           "the ball to a hundredth of a millimetre"));
+  sensitivity.sentence = en::at(
+      figures, sensitivity.is_seen ? en::say("a wrong radius would be noticed")
+                                   : en::say("the presses cannot show a wrong radius, so measure "
+                                             "the ball to a hundredth of a millimetre"));
   return sensitivity;
 }
 
-PressAdvice advise(const std::vector<const PressSamples*>& presses,
-                   const JointFit& fit,
-                   const JointOptions& options,
-                   double face_length_mm) {
+PressAdvice advise(const std::vector<const PressSamples*>& presses, const JointFit& fit,
+                   const JointOptions& options, double face_length_mm) {
   PressAdvice advice;
   advice.sd_now_mm = depth_sd_mm(presses, fit, options);
   std::vector<Pressed> made;
@@ -238,22 +225,19 @@ PressAdvice advise(const std::vector<const PressSamples*>& presses,
     advice.across_mm = 0;
     advice.sentence = en::say(
         "press next: {}, {:.1f} mm deep; no press shows whether the mapping holds in that third",
-        position_text(empty, 0),
-        advice.depth_mm);
+        position_text(empty, 0), advice.depth_mm);
   } else {
     advice.enough = advice.sd_then_mm > (1.0 - kMinGain) * advice.sd_now_mm;
-    advice.sentence = advice.enough ? en::say(
-                                          "enough: another press would reduce the standard "
-                                          "deviation of depth from {:.4f} mm to {:.4f} mm at best",
-                                          advice.sd_now_mm,
-                                          std::min(advice.sd_now_mm, advice.sd_then_mm))
-                                    : en::say(
-                                          "press next: {}, {:.1f} mm deep; that would reduce the "
-                                          "standard deviation of depth from {:.4f} mm to {:.4f} mm",
-                                          position_text(advice.along_mm, advice.across_mm),
-                                          advice.depth_mm,
-                                          advice.sd_now_mm,
-                                          advice.sd_then_mm);
+    advice.sentence = advice.enough
+                          ? en::say(
+                                "enough: another press would reduce the standard "
+                                "deviation of depth from {:.4f} mm to {:.4f} mm at best",
+                                advice.sd_now_mm, std::min(advice.sd_now_mm, advice.sd_then_mm))
+                          : en::say(
+                                "press next: {}, {:.1f} mm deep; that would reduce the "
+                                "standard deviation of depth from {:.4f} mm to {:.4f} mm",
+                                position_text(advice.along_mm, advice.across_mm), advice.depth_mm,
+                                advice.sd_now_mm, advice.sd_then_mm);
   }
   return advice;
 }
@@ -277,9 +261,7 @@ struct Linear {
   Eigen::Vector3d depth_row;  // of a measured depth, weighted, by the centre; else 0
 };
 
-Linear linearised(const PressSamples& press,
-                  const JointFit& fit,
-                  const Eigen::Vector3d& centre,
+Linear linearised(const PressSamples& press, const JointFit& fit, const Eigen::Vector3d& centre,
                   const JointOptions& options) {
   const WeightedPress weighted = weight_samples(press, fit, centre, options);
   const ContactDisc disc(press, options.along, centre);
@@ -382,10 +364,8 @@ class NoiseCorrelation {
  private:
   /// What subtracting means has removed from the products: of each pair within a ring one over the
   /// ring's samples, and the same for the tilt and the mean of the press.
-  static double products_taken(const Linear& linear,
-                               const std::pair<int, int>& low,
-                               Eigen::Index columns,
-                               Eigen::Index rows) {
+  static double products_taken(const Linear& linear, const std::pair<int, int>& low,
+                               Eigen::Index columns, Eigen::Index rows) {
     Eigen::MatrixXi rings = Eigen::MatrixXi::Constant(columns + 2 * kReach, rows + 2 * kReach, -1);
     std::array<double, ContactDisc::kRings> samples{}, pairs{};
     for (std::size_t k = 0; k < linear.cell.size(); ++k) {
@@ -458,8 +438,7 @@ bool invert(const Eigen::MatrixXd& matrix, Eigen::MatrixXd* inverse, double* con
 
 /// Root mean square over rings of their mean residuals, common to all presses. Few rings are weak
 /// evidence, so only a clear excess over the assumed error counts.
-double ring_error_mm(const std::vector<const PressSamples*>& presses,
-                     const JointFit& fit,
+double ring_error_mm(const std::vector<const PressSamples*>& presses, const JointFit& fit,
                      const JointOptions& options) {
   const FitQuality quality = quality_of(presses, fit, options);
   const double shown_mm2 = std::pow(quality.ring_mm, 2) - std::pow(quality.scatter_mm, 2);
@@ -469,9 +448,7 @@ double ring_error_mm(const std::vector<const PressSamples*>& presses,
 
 /// Adds one observation from elsewhere with its own stated error. `row`: its weighted derivative by
 /// some unknowns, of which `first` is the first.
-void add_known(const Eigen::VectorXd& row,
-               Eigen::Index first,
-               Eigen::MatrixXd* hessian,
+void add_known(const Eigen::VectorXd& row, Eigen::Index first, Eigen::MatrixXd* hessian,
                Eigen::MatrixXd* spread) {
   const Eigen::MatrixXd square = row * row.transpose();
   const auto n = row.size();
@@ -480,10 +457,8 @@ void add_known(const Eigen::VectorXd& row,
 }
 
 /// ring_mm: error of the rings common to all presses; 0: no common error is included.
-JointCovariance spread_of(const std::vector<const PressSamples*>& presses,
-                          const JointFit& fit,
-                          const JointOptions& options,
-                          double ring_mm) {
+JointCovariance spread_of(const std::vector<const PressSamples*>& presses, const JointFit& fit,
+                          const JointOptions& options, double ring_mm) {
   const Eigen::Index n_map = fit.curve.values().size();
   const bool free_lift = lift_is_free(fit, options);
   const Eigen::Index n = n_map + 3 * static_cast<Eigen::Index>(presses.size()) + 1;
@@ -561,9 +536,7 @@ JointCovariance spread_of(const std::vector<const PressSamples*>& presses,
   if (ring_mm > 0.0) spread += optics_pull * optics_pull.transpose();
   if (fit.curve.family().absorbs()) {
     // The prior of the absorption, with its own stated error.
-    add_known(Eigen::VectorXd::Constant(1, kRootWeightOfKnown / AbsorptionCost::kSd),
-              2,
-              &hessian,
+    add_known(Eigen::VectorXd::Constant(1, kRootWeightOfKnown / AbsorptionCost::kSd), 2, &hessian,
               &spread);
   }
   if (free_lift) {
@@ -581,15 +554,13 @@ JointCovariance spread_of(const std::vector<const PressSamples*>& presses,
 
 }  // namespace
 
-JointCovariance covariance_of(const std::vector<const PressSamples*>& presses,
-                              const JointFit& fit,
+JointCovariance covariance_of(const std::vector<const PressSamples*>& presses, const JointFit& fit,
                               const JointOptions& options) {
   return spread_of(presses, fit, options, ring_error_mm(presses, fit, options));
 }
 
 JointCovariance chance_covariance_of(const std::vector<const PressSamples*>& presses,
-                                     const JointFit& fit,
-                                     const JointOptions& options) {
+                                     const JointFit& fit, const JointOptions& options) {
   return spread_of(presses, fit, options, 0.0);
 }
 

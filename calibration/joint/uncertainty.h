@@ -35,10 +35,8 @@ struct RadiusSensitivity {
 /// Fits the presses again with a radius 1 % smaller and larger. nullopt when a fit fails or the job
 /// is stopped.
 [[nodiscard]] std::optional<RadiusSensitivity> vary_radius(
-    const std::vector<const PressSamples*>& presses,
-    const JointFit& fit,
-    const JointOptions& options,
-    const Job& job);
+    const std::vector<const PressSamples*>& presses, const JointFit& fit,
+    const JointOptions& options, const Job& job);
 
 struct PressAdvice {
   bool enough = false;                               ///< another press would hardly help
@@ -52,8 +50,7 @@ struct PressAdvice {
 /// shows whether the mapping holds there. face_length_mm: of the visible part. `enough` is true
 /// where every third has a press and the best one would take less than a twentieth off.
 [[nodiscard]] PressAdvice advise(const std::vector<const PressSamples*>& presses,
-                                 const JointFit& fit,
-                                 const JointOptions& options,
+                                 const JointFit& fit, const JointOptions& options,
                                  double face_length_mm);
 
 }  // namespace alltact

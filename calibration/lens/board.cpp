@@ -53,8 +53,8 @@ void refine(const cv::Mat& grey, std::vector<cv::Point2f>& corners, double reach
   for (std::size_t i = 0; i < corners.size(); ++i) {
     std::vector<cv::Point2f> one{corners[i]};
     const cv::Size window(windows[i], windows[i]);
-    cv::cornerSubPix(
-        grey, one, window, {-1, -1}, {cv::TermCriteria::EPS + cv::TermCriteria::COUNT, 100, 1e-4});
+    cv::cornerSubPix(grey, one, window, {-1, -1},
+                     {cv::TermCriteria::EPS + cv::TermCriteria::COUNT, 100, 1e-4});
     corners[i] = one.front();
   }
 }
@@ -62,8 +62,8 @@ void refine(const cv::Mat& grey, std::vector<cv::Point2f>& corners, double reach
 bool find_corners(const cv::Mat& grey, cv::Size size, std::vector<cv::Point2f>& corners) {
   // The finder's own corners are precise to a tenth of a pixel on sharp images only.
   if (cv::findChessboardCornersSB(grey, size, corners, cv::CALIB_CB_EXHAUSTIVE) ||
-      cv::findChessboardCornersSB(
-          grey, size, corners, cv::CALIB_CB_EXHAUSTIVE | cv::CALIB_CB_NORMALIZE_IMAGE)) {
+      cv::findChessboardCornersSB(grey, size, corners,
+                                  cv::CALIB_CB_EXHAUSTIVE | cv::CALIB_CB_NORMALIZE_IMAGE)) {
     refine(grey, corners, kHalfSpacing);
     return true;
   }
@@ -134,10 +134,8 @@ double edge_width_px(const cv::Mat& grey, const std::vector<Eigen::Vector2d>& pi
   const int reach = std::clamp(static_cast<int>(1.2 * half_spacing_px(pixels)), 3, 20);
   std::vector<double> widths;
   for (const Eigen::Vector2d& pixel : pixels) {
-    const cv::Rect around(static_cast<int>(pixel.x()) - reach,
-                          static_cast<int>(pixel.y()) - reach,
-                          2 * reach + 1,
-                          2 * reach + 1);
+    const cv::Rect around(static_cast<int>(pixel.x()) - reach, static_cast<int>(pixel.y()) - reach,
+                          2 * reach + 1, 2 * reach + 1);
     const cv::Rect inside = around & cv::Rect({0, 0}, grey.size());
     if (inside != around) continue;
     double low = 0, high = 0, steepest = 0;
@@ -163,11 +161,8 @@ Result<BoardView> find_charuco(const cv::Mat& grey, const Board& board) {
   const auto dictionary = cv::aruco::getPredefinedDictionary(dictionary_number(board.dictionary));
   const auto square = static_cast<float>(board.square_mm);
   const auto charuco =
-      cv::aruco::CharucoBoard::create(board.columns + 1,
-                                      board.rows + 1,
-                                      square,
-                                      square * static_cast<float>(board.marker_part),
-                                      dictionary);
+      cv::aruco::CharucoBoard::create(board.columns + 1, board.rows + 1, square,
+                                      square * static_cast<float>(board.marker_part), dictionary);
   std::vector<std::vector<cv::Point2f>> markers;
   std::vector<int> marker_ids;
   cv::aruco::detectMarkers(grey, dictionary, markers, marker_ids);
@@ -181,10 +176,8 @@ Result<BoardView> find_charuco(const cv::Mat& grey, const Board& board) {
   cv::aruco::interpolateCornersCharuco(markers, marker_ids, grey, charuco, corners, ids);
   if (static_cast<int>(corners.size()) < kFewestCorners)
     return Error{en::say("only {} of the ChArUco board's corners are visible, {} are needed",
-                         corners.size(),
-                         kFewestCorners),
-                 "",
-                 en::say("more of the board in the image, sharp and evenly lit")};
+                         corners.size(), kFewestCorners),
+                 "", en::say("more of the board in the image, sharp and evenly lit")};
   // Markers fill the squares around a corner, so the window ends before them.
   refine(grey, corners, 0.5 * (1 - board.marker_part));
   BoardView view;
@@ -194,17 +187,14 @@ Result<BoardView> find_charuco(const cv::Mat& grey, const Board& board) {
     view.pixels.emplace_back(corners[i].x, corners[i].y);
   }
   if (!spans_a_plane(view.board_mm))
-    return Error{en::say("only corners in one line of the ChArUco board are visible"),
-                 "",
+    return Error{en::say("only corners in one line of the ChArUco board are visible"), "",
                  en::say("more of the board in the image")};
   return view;
 }
 
 }  // namespace
 
-double Board::diagonal_mm() const {
-  return square_mm * std::hypot(columns - 1, rows - 1);
-}
+double Board::diagonal_mm() const { return square_mm * std::hypot(columns - 1, rows - 1); }
 
 Eigen::Vector3d Board::point_mm(int i) const {
   const int row = i / columns, column = i % columns;
@@ -230,8 +220,7 @@ Status set_board_size(Board& board, std::string_view text) {
     if (count < 3 || count > 100)
       return Error{
           en::say("'{}' is not a board; it needs two counts from 3 to 100", printable(text)),
-          std::string("--board"),
-          en::say("9x6 for nine inner corners in a row and six rows")};
+          std::string("--board"), en::say("9x6 for nine inner corners in a row and six rows")};
   board.columns = columns;
   board.rows = rows;
   return {};
@@ -246,13 +235,12 @@ Result<BoardView> find_board(const cv::Mat& grey, const Board& board) {
     if (view) view->edge_px = edge_width_px(grey, view->pixels);
     return view;
   } catch (const cv::Exception& problem) {
-    return Error{
-        en::say("the search for the board failed: {}", problem.err), "", en::say("another image")};
+    return Error{en::say("the search for the board failed: {}", problem.err), "",
+                 en::say("another image")};
   }
 }
 
-Eigen::Vector2d oriented_pixel(const Eigen::Vector2d& pixel,
-                               cv::Size raw,
+Eigen::Vector2d oriented_pixel(const Eigen::Vector2d& pixel, cv::Size raw,
                                Orientation orientation) {
   const double u = pixel.x(), v = pixel.y();
   const double right = raw.width - 1, bottom = raw.height - 1;
@@ -304,11 +292,8 @@ bool find_grid(const cv::Mat& dark_dots, const Board& board, std::vector<cv::Poi
   how.filterByInertia = false;
   how.filterByCircularity = true;
   how.minCircularity = 0.4F;  // a tilted dot is an ellipse
-  return cv::findCirclesGrid(dark_dots,
-                             {board.columns, board.rows},
-                             centres,
-                             cv::CALIB_CB_SYMMETRIC_GRID,
-                             cv::SimpleBlobDetector::create(how));
+  return cv::findCirclesGrid(dark_dots, {board.columns, board.rows}, centres,
+                             cv::CALIB_CB_SYMMETRIC_GRID, cv::SimpleBlobDetector::create(how));
 }
 
 struct Dot {
@@ -388,8 +373,7 @@ Surroundings::Surroundings(cv::Point2f middle, const Eigen::Matrix2d& spacing) {
 /// Centroid of the darkness around a pixel, relative to the paper there. Each pixel counts by its
 /// dark fraction, so that the rim gives fractions of a pixel. `spacing`: to the next dot in the row
 /// and in the column, px.
-std::optional<Dot> measured(const cv::Mat& grey,
-                            cv::Point2f start,
+std::optional<Dot> measured(const cv::Mat& grey, cv::Point2f start,
                             const Eigen::Matrix2d& spacing) {
   const cv::Rect image_rect({0, 0}, grey.size());
   const cv::Point middle(static_cast<int>(std::lround(start.x)),
@@ -448,8 +432,7 @@ Result<BoardView> find_dots(const cv::Mat& grey, const Board& board) {
     const Eigen::Matrix2d spacing = spacing_at(centres, board, i);
     const auto dot = measured(dark_dots, centres[static_cast<std::size_t>(i)], spacing);
     if (!dot)
-      return Error{en::say("a dot of the grid is at the image border or has no contrast"),
-                   "",
+      return Error{en::say("a dot of the grid is at the image border or has no contrast"), "",
                    en::say("the entire board in the image, evenly lit")};
     // The ratio of two areas is the same in every affine view.
     parts.push_back(std::sqrt(4 / M_PI * dot->area_px2 / std::abs(spacing.determinant())));

@@ -54,8 +54,7 @@ struct BoardView {
 [[nodiscard]] std::string other_size_found(const cv::Mat& grey, const Board& board);
 
 /// Maps a pixel of the raw image to the oriented image; `raw` is the raw image's size.
-[[nodiscard]] Eigen::Vector2d oriented_pixel(const Eigen::Vector2d& pixel,
-                                             cv::Size raw,
+[[nodiscard]] Eigen::Vector2d oriented_pixel(const Eigen::Vector2d& pixel, cv::Size raw,
                                              Orientation orientation);
 
 }  // namespace alltact

@@ -120,15 +120,13 @@ Error none_found(const LensViews& views, const cv::Mat& first, const Board& boar
       return {en::say("no board with {} was found, but one with {}", board.words(), other),
               views.refused.empty() ? Where() : views.refused.front().first,
               en::say("--board with {}: inner corners are counted, not squares", other)};
-  return {
-      what, "", en::say("--board and --pattern that match the board, and all of it in the image")};
+  return {what, "",
+          en::say("--board and --pattern that match the board, and all of it in the image")};
 }
 
 }  // namespace
 
-Result<LensViews> find_boards(Source& source,
-                              const Board& board,
-                              Orientation orientation,
+Result<LensViews> find_boards(Source& source, const Board& board, Orientation orientation,
                               const Job& job) {
   const std::size_t count = source.count().value_or(0);
   const bool is_long = source.is_continuous() && count > kLong;
@@ -159,16 +157,12 @@ Result<LensViews> find_boards(Source& source,
     }
     if (frame.grey.size() != raw)
       return Error{
-          en::say("is {} x {} px, the images before it {} x {}",
-                  frame.grey.cols,
-                  frame.grey.rows,
-                  raw.width,
-                  raw.height),
+          en::say("is {} x {} px, the images before it {} x {}", frame.grey.cols, frame.grey.rows,
+                  raw.width, raw.height),
           frame.origin,
           en::say("images from one camera in one mode; the lens changes with the image size")};
     if (!names.insert(frame.name).second)
-      return Error{en::say("another image is called '{}' as well", frame.name),
-                   frame.origin,
+      return Error{en::say("another image is called '{}' as well", frame.name), frame.origin,
                    en::say("giving the images different names")};
     ++views.analysed;
     auto view = find_board(frame.grey, board);

@@ -78,9 +78,7 @@ inline constexpr std::size_t kMaxImages = 300;
 /// Searches the board in every raw image: a mirrored one would spoil markers. Errors: images of
 /// different sizes, no board in any of them (with the board's actual size where it is found), two
 /// images of one name, stopped.
-[[nodiscard]] Result<LensViews> find_boards(Source& source,
-                                            const Board& board,
-                                            Orientation orientation,
-                                            const Job& job);
+[[nodiscard]] Result<LensViews> find_boards(Source& source, const Board& board,
+                                            Orientation orientation, const Job& job);
 
 }  // namespace alltact

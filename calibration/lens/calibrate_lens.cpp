@@ -34,22 +34,16 @@ double scatter_px(const std::vector<double>& errors_px) {
   return upper_median(errors) / 1.1774;
 }
 
-Message outlier_reason(const BoardView& view,
-                       const LensFit& fit,
-                       std::size_t index,
-                       double scatter,
-                       double median_scatter,
-                       double median_edge_px) {
+Message outlier_reason(const BoardView& view, const LensFit& fit, std::size_t index, double scatter,
+                       double median_scatter, double median_edge_px) {
   const Message found =
       en::say("its corners are {:.2f} px off the lens model, those of the others {:.2f} px",
-              scatter,
-              median_scatter);
+              scatter, median_scatter);
   if (view.edge_px > kBlurred * median_edge_px)
     return en::say(
         "blurred, by motion or focus: its edges are {:.1f} px wide, those of the "
         "others {:.1f} px",
-        view.edge_px,
-        median_edge_px);
+        view.edge_px, median_edge_px);
   const std::vector<double> ones(view.pixels.size(), 1.0);
   BoardPose flat_pose = fit.poses[index], bent_pose = flat_pose;
   BoardShape shape;
@@ -59,8 +53,7 @@ Message outlier_reason(const BoardView& view,
     return en::clauses({found, en::say("the board is bent; glue it to something stiff")});
   const auto wrong = std::count(fit.weights[index].begin(), fit.weights[index].end(), 0.0);
   if (scatter < kOutlierScatter * median_scatter)
-    return en::say("{} of its {} corners are misplaced: covered, reflected or blurred",
-                   wrong,
+    return en::say("{} of its {} corners are misplaced: covered, reflected or blurred", wrong,
                    view.pixels.size());
   return en::clauses({found, en::say("moved during the exposure, or not this board")});
 }
@@ -90,10 +83,8 @@ std::vector<OutlierView> outlier_views(const std::vector<BoardView>& views, cons
 
 /// Fits again with a board that may be stretched and bent. Returns the board's defect in words;
 /// empty when there is none, and with fewer than six views.
-Message board_problem(const std::vector<BoardView>& views,
-                      const LensFit& fit,
-                      const LensFitOptions& options,
-                      const Job& job) {
+Message board_problem(const std::vector<BoardView>& views, const LensFit& fit,
+                      const LensFitOptions& options, const Job& job) {
   constexpr std::size_t kFewestViewsForShape = 6;
   if (views.size() < kFewestViewsForShape) return {};
   LensFitOptions with_shape = options;
@@ -115,8 +106,7 @@ Message board_problem(const std::vector<BoardView>& views,
   Message problem;
   constexpr double kMinStretch = 0.001, kMinBend = 0.002;  // limits that few prints reach
   if (is_significant(0, kMinStretch))
-    problem = en::say("its squares are {:.2f} % {} than they are high",
-                      100 * std::abs(shape[0]),
+    problem = en::say("its squares are {:.2f} % {} than they are high", 100 * std::abs(shape[0]),
                       shape[0] > 0 ? en::say("wider") : en::say("narrower"));
   if (is_significant(1, kMinBend) || is_significant(2, kMinBend) || is_significant(3, kMinBend)) {
     const double bend = std::max({std::abs(shape[1]), std::abs(shape[2]), std::abs(shape[3])});
@@ -128,14 +118,11 @@ Message board_problem(const std::vector<BoardView>& views,
   return en::say(
       "the board is not flat and even as assumed: {}; corrected for this, fx would be {:.2f} "
       "instead of {:.2f} px; use a board on glass or metal",
-      problem,
-      shaped->lens.fx_px,
-      fit.lens.fx_px);
+      problem, shaped->lens.fx_px, fit.lens.fx_px);
 }
 
 Error too_few(std::size_t count) {
-  return {en::say("only {} different views of the board are left; at least {} are needed",
-                  count,
+  return {en::say("only {} different views of the board are left; at least {} are needed", count,
                   kFewestViews),
           "",
           en::say("{} images or more, with the board tilted and in all parts of the image",
@@ -143,8 +130,7 @@ Error too_few(std::size_t count) {
 }
 
 LensViewReport& report_of(LensCalibration& calibration, const std::string& name) {
-  return *std::find_if(calibration.views.begin(),
-                       calibration.views.end(),
+  return *std::find_if(calibration.views.begin(), calibration.views.end(),
                        [&](const LensViewReport& report) { return report.name == name; });
 }
 
@@ -215,9 +201,7 @@ std::vector<int> coefficient_counts(CameraModel model) {
   return {5, 4, 2, 0};
 }
 
-bool is_sound(const LensFit& fit) {
-  return Camera::create(fit.lens).ok();
-}
+bool is_sound(const LensFit& fit) { return Camera::create(fit.lens).ok(); }
 
 /// Fits as many coefficients as the views determine. A fit of the first one alone gives the start.
 Status fit_stepwise(LensCalibration& calibration, LensFitOptions& options, const Job& job) {
@@ -293,8 +277,7 @@ Status fit_without_outliers(LensCalibration& calibration, LensFitOptions& option
 }
 
 /// Dots: replaces measured centres by true ones, and fits the lens to those.
-Status fit_without_dot_bias(LensCalibration& calibration,
-                            const LensFitOptions& options,
+Status fit_without_dot_bias(LensCalibration& calibration, const LensFitOptions& options,
                             const Job& job) {
   std::vector<double> parts;
   for (const BoardView& view : calibration.used)
@@ -329,10 +312,8 @@ void report_views(LensCalibration& calibration) {
   }
 }
 
-void judge(LensCalibration& calibration,
-           const LensSettings& settings,
-           const LensFitOptions& options,
-           const Job& job) {
+void judge(LensCalibration& calibration, const LensSettings& settings,
+           const LensFitOptions& options, const Job& job) {
   const LensFit& fit = calibration.fit;
   job.report(0.6, en::say("leaving views out"));
   calibration.held_out = cross_validate(calibration.used, fit, options, job);
@@ -342,8 +323,7 @@ void judge(LensCalibration& calibration,
   calibration.coverage = coverage_of(calibration.used, fit);
   double part = std::max(fit.sd(0) / fit.lens.fx_px, fit.sd(1) / fit.lens.fy_px);
   if (calibration.held_out)
-    part = std::max({part,
-                     calibration.held_out->fx_sd_px / fit.lens.fx_px,
+    part = std::max({part, calibration.held_out->fx_sd_px / fit.lens.fx_px,
                      calibration.held_out->fy_sd_px / fit.lens.fy_px});
   calibration.focal_sd_part = part;
   LensEvidence evidence;
@@ -363,8 +343,7 @@ void remark(LensCalibration& calibration, const LensFitOptions& options, const J
     calibration.remarks.push_back(
         en::say("with {} distortion coefficients the lens folds over inside the image or stays "
                 "undetermined; {} are used",
-                max_count,
-                options.coefficients));
+                max_count, options.coefficients));
   if (const Message shape = board_problem(calibration.used, calibration.fit, options, job);
       !shape.empty())
     calibration.remarks.push_back(shape);
@@ -382,24 +361,17 @@ void remark(LensCalibration& calibration, const LensFitOptions& options, const J
 const std::vector<Setting<LensSettings>>& lens_settings() {
   using S = LensSettings;
   static const std::vector<Setting<S>> table{
-      choice_setting<S, BoardPattern>("pattern",
-                                      en::say("Pattern printed on the board"),
+      choice_setting<S, BoardPattern>("pattern", en::say("Pattern printed on the board"),
                                       &S::pattern,
                                       {{"chessboard", BoardPattern::kChessboard},
                                        {"charuco", BoardPattern::kCharuco},
                                        {"dots", BoardPattern::kDots}}),
       choice_setting<S, CameraModel>(
-          "model",
-          en::say("brown up to about 120 degrees of view, fisheye beyond"),
-          &S::model,
+          "model", en::say("brown up to about 120 degrees of view, fisheye beyond"), &S::model,
           {{"brown", CameraModel::kBrown}, {"fisheye", CameraModel::kFisheye}}),
-      number_setting<S, double>("distance-mm",
-                                en::say("Distance of the finger, for errors in mm"),
-                                &S::distance_mm,
-                                1.0,
-                                10000.0),
-      choice_setting<S, MarkerDictionary>("dictionary",
-                                          en::say("ChArUco: family of the markers"),
+      number_setting<S, double>("distance-mm", en::say("Distance of the finger, for errors in mm"),
+                                &S::distance_mm, 1.0, 10000.0),
+      choice_setting<S, MarkerDictionary>("dictionary", en::say("ChArUco: family of the markers"),
                                           &S::dictionary,
                                           {{"4x4", MarkerDictionary::k4x4},
                                            {"5x5", MarkerDictionary::k5x5},
@@ -407,16 +379,12 @@ const std::vector<Setting<LensSettings>>& lens_settings() {
                                            {"original", MarkerDictionary::kOriginal}}),
       number_setting<S, double>("marker-part",
                                 en::say("ChArUco: a marker's side as a fraction of a square's"),
-                                &S::marker_part,
-                                0.2,
-                                0.95)};
+                                &S::marker_part, 0.2, 0.95)};
   return table;
 }
 
-BoardView without_dot_bias(const BoardView& view,
-                           const CameraParameters& lens,
-                           const BoardPose& pose,
-                           double dot_radius_mm) {
+BoardView without_dot_bias(const BoardView& view, const CameraParameters& lens,
+                           const BoardPose& pose, double dot_radius_mm) {
   constexpr int kSides = 64;
   const Eigen::VectorXd numbers = lens_numbers(lens);
   const std::span<const double> row(numbers.data(), static_cast<std::size_t>(numbers.size()));
@@ -446,13 +414,10 @@ BoardView without_dot_bias(const BoardView& view,
   return corrected;
 }
 
-Result<LensCalibration> calibrate_lens(std::vector<BoardView> views,
-                                       cv::Size size,
-                                       const LensSettings& settings,
-                                       const Job& job) {
-  std::sort(views.begin(), views.end(), [](const BoardView& a, const BoardView& b) {
-    return a.name < b.name;
-  });
+Result<LensCalibration> calibrate_lens(std::vector<BoardView> views, cv::Size size,
+                                       const LensSettings& settings, const Job& job) {
+  std::sort(views.begin(), views.end(),
+            [](const BoardView& a, const BoardView& b) { return a.name < b.name; });
   LensCalibration calibration;
   for (const BoardView& view : views) {
     calibration.views.emplace_back();
@@ -465,8 +430,7 @@ Result<LensCalibration> calibrate_lens(std::vector<BoardView> views,
   reject_repeats(calibration, size);
   if (calibration.used.size() < kFewestViews) {
     if (calibration.used.size() == 1)
-      return Error{en::say("all {} views show the board in the same position", given),
-                   "",
+      return Error{en::say("all {} views show the board in the same position", given), "",
                    en::say("move and tilt the board, or the camera, between images")};
     return too_few(calibration.used.size());
   }
@@ -486,8 +450,7 @@ Result<LensCalibration> calibrate_lens(std::vector<BoardView> views,
 }
 
 Result<LensCalibration> measure_lens(const std::vector<std::filesystem::path>& inputs,
-                                     const Board& board,
-                                     const LensSettings& settings,
+                                     const Board& board, const LensSettings& settings,
                                      const Job& job) {
   SourceOptions how;
   how.job = &job;

@@ -56,25 +56,20 @@ struct LensCalibration {
 /// no lens that explains them, a lens that folds over inside the image with any number of
 /// coefficients, stopped before there was a lens. A job stopped later returns the lens with the
 /// judgement so far.
-[[nodiscard]] Result<LensCalibration> calibrate_lens(std::vector<BoardView> views,
-                                                     cv::Size size,
-                                                     const LensSettings& settings,
-                                                     const Job& job);
+[[nodiscard]] Result<LensCalibration> calibrate_lens(std::vector<BoardView> views, cv::Size size,
+                                                     const LensSettings& settings, const Job& job);
 
 /// The view with each dot at its true centre instead of its centroid. In perspective, and with
 /// distortion, a disc's centroid is not the image of its centre.
-[[nodiscard]] BoardView without_dot_bias(const BoardView& view,
-                                         const CameraParameters& lens,
-                                         const BoardPose& pose,
-                                         double dot_radius_mm);
+[[nodiscard]] BoardView without_dot_bias(const BoardView& view, const CameraParameters& lens,
+                                         const BoardPose& pose, double dot_radius_mm);
 
 // A lens calibration from files, and its record.
 
 /// Finds the board in all images and calibrates the lens. Errors: those of open_source, find_boards
 /// and calibrate_lens.
 [[nodiscard]] Result<LensCalibration> measure_lens(const std::vector<std::filesystem::path>& inputs,
-                                                   const Board& board,
-                                                   const LensSettings& settings,
+                                                   const Board& board, const LensSettings& settings,
                                                    const Job& job);
 
 /// How a lens was measured, for the camera file.

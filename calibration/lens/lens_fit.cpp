@@ -88,11 +88,8 @@ class LensProblem {
     ceres::Problem problem;
     auto* order = new ceres::ParameterBlockOrdering;
     for (std::size_t i = 0; i < views_.size(); ++i) {
-      problem.AddResidualBlock(new ViewCost(lens_.model, views_[i], weights_[i], units_),
-                               nullptr,
-                               numbers_.data(),
-                               poses_[i].data(),
-                               shape_.numbers.data());
+      problem.AddResidualBlock(new ViewCost(lens_.model, views_[i], weights_[i], units_), nullptr,
+                               numbers_.data(), poses_[i].data(), shape_.numbers.data());
       order->AddElementToGroup(poses_[i].data(), 0);
     }
     order->AddElementToGroup(numbers_.data(), 1);
@@ -180,8 +177,7 @@ Result<LensFit> LensProblem::result() const {
   const auto eigen = symmetric_eigen(scale.asDiagonal() * information * scale.asDiagonal());
   if (!(freedom > 0) || !(eigen.eigenvalues()[0] > 1e-12))
     return Error{
-        en::say("these views leave the lens undetermined"),
-        "",
+        en::say("these views leave the lens undetermined"), "",
         en::say("more views, with the board tilted by 20 to 40 degrees in different directions")};
   LensFit fit;
   fit.sigma_px = std::sqrt(sum / freedom);
@@ -232,14 +228,11 @@ bool solve_robustly(LensProblem& problem, const Job& job) {
 
 }  // namespace
 
-Result<LensFit> fit_lens(const std::vector<BoardView>& views,
-                         const LensFit& start,
-                         const LensFitOptions& options,
-                         const Job& job) {
+Result<LensFit> fit_lens(const std::vector<BoardView>& views, const LensFit& start,
+                         const LensFitOptions& options, const Job& job) {
   const auto failed = [&]() -> Error {
     if (job.stop_requested()) return {en::say("stopped before the lens was estimated"), "", ""};
-    return {en::say("no lens model could be fitted to the found corners"),
-            "",
+    return {en::say("no lens model could be fitted to the found corners"), "",
             en::say("a flat board of the size given with --board, and views that show it tilted")};
   };
   LensProblem problem(views, start, options);
@@ -259,11 +252,8 @@ Result<LensFit> fit_lens(const std::vector<BoardView>& views,
   return problem.result();
 }
 
-double fit_pose(const BoardView& view,
-                const CameraParameters& lens,
-                const std::vector<double>& weights,
-                BoardPose& pose,
-                BoardShape* free_shape) {
+double fit_pose(const BoardView& view, const CameraParameters& lens,
+                const std::vector<double>& weights, BoardPose& pose, BoardShape* free_shape) {
   constexpr double kNone = std::numeric_limits<double>::infinity();
   const ViewCost::Units units = units_of(lens, view);
   Eigen::VectorXd numbers = lens_numbers(lens);
@@ -271,11 +261,8 @@ double fit_pose(const BoardView& view,
   PoseNumbers pose_numbers = numbers_of(pose, units);
   BoardShape shape;
   ceres::Problem problem;
-  problem.AddResidualBlock(new ViewCost(lens.model, view, weights, units),
-                           nullptr,
-                           numbers.data(),
-                           pose_numbers.data(),
-                           shape.numbers.data());
+  problem.AddResidualBlock(new ViewCost(lens.model, view, weights, units), nullptr, numbers.data(),
+                           pose_numbers.data(), shape.numbers.data());
   problem.SetParameterBlockConstant(numbers.data());
   if (free_shape == nullptr) problem.SetParameterBlockConstant(shape.numbers.data());
   const ceres::Solver::Options solver = lens_solver();
@@ -294,9 +281,7 @@ namespace {
 
 using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-int coefficient_count(CameraModel model) {
-  return model == CameraModel::kFisheye ? 4 : 5;
-}
+int coefficient_count(CameraModel model) { return model == CameraModel::kFisheye ? 4 : 5; }
 
 Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& w) {
   Eigen::Matrix3d m;
@@ -370,8 +355,7 @@ void set_lens_numbers(CameraParameters& lens, const Eigen::VectorXd& numbers) {
   lens.distortion.assign(numbers.begin() + 4, numbers.end());
 }
 
-std::optional<Projection> project_by(CameraModel model,
-                                     std::span<const double> numbers,
+std::optional<Projection> project_by(CameraModel model, std::span<const double> numbers,
                                      const Eigen::Vector3d& point_mm) {
   if (!(point_mm.z() > 0)) return std::nullopt;
   const Eigen::Vector2d straight = point_mm.head<2>() / point_mm.z();
@@ -404,25 +388,20 @@ std::optional<Projection> project_by(CameraModel model,
   return result;
 }
 
-Eigen::Matrix3d BoardPose::rotation() const {
-  return rotation_of(turn);
-}
+Eigen::Matrix3d BoardPose::rotation() const { return rotation_of(turn); }
 
 Eigen::Vector3d BoardPose::operator()(const Eigen::Vector3d& board_mm) const {
   return rotation() * board_mm + shift_mm;
 }
 
-ViewCost::ViewCost(CameraModel model,
-                   const BoardView& view,
-                   const std::vector<double>& weights,
+ViewCost::ViewCost(CameraModel model, const BoardView& view, const std::vector<double>& weights,
                    const Units& units)
     : model_(model), view_(view), weights_(weights), units_(units) {
   set_num_residuals(2 * static_cast<int>(view.pixels.size()));
   *mutable_parameter_block_sizes() = {4 + coefficient_count(model), 6, 4};
 }
 
-bool ViewCost::Evaluate(double const* const* parameters,
-                        double* residuals,
+bool ViewCost::Evaluate(double const* const* parameters, double* residuals,
                         double** jacobians) const {
   const int n = parameter_block_sizes()[0];
   std::array<double, 9> numbers{};
@@ -474,8 +453,8 @@ constexpr double kWorst = std::numeric_limits<double>::infinity();
 constexpr std::size_t kMaxViews = 16;  // that the table is tested on
 
 /// Focal lengths in image widths: fields of view from 170 degrees to 6.
-constexpr std::array kFocals{
-    0.2, 0.25, 0.3, 0.36, 0.44, 0.53, 0.64, 0.77, 0.93, 1.1, 1.4, 1.7, 2.2, 3.0, 4.5, 7.0, 10.0};
+constexpr std::array kFocals{0.2, 0.25, 0.3, 0.36, 0.44, 0.53, 0.64, 0.77, 0.93,
+                             1.1, 1.4,  1.7, 2.2,  3.0,  4.5,  7.0,  10.0};
 constexpr std::array kBends{0.0, -0.12, -0.25, 0.15};
 
 CameraParameters candidate(CameraModel model, cv::Size size, double focal, double bend) {
@@ -516,14 +495,8 @@ std::vector<BoardPose> poses_of(const BoardView& view, const Camera& camera) {
   if (board.size() < 6 || 2 * board.size() < view.pixels.size()) return {};
   std::vector<cv::Mat> turns, shifts;
   try {
-    cv::solvePnPGeneric(board,
-                        straight,
-                        cv::Mat::eye(3, 3, CV_64F),
-                        cv::noArray(),
-                        turns,
-                        shifts,
-                        false,
-                        cv::SOLVEPNP_IPPE);
+    cv::solvePnPGeneric(board, straight, cv::Mat::eye(3, 3, CV_64F), cv::noArray(), turns, shifts,
+                        false, cv::SOLVEPNP_IPPE);
   } catch (const cv::Exception&) {
     return {};  // the corners lie in a line
   }
@@ -537,8 +510,8 @@ std::vector<BoardPose> poses_of(const BoardView& view, const Camera& camera) {
     const double error = pose_error_px(view, camera, pose);
     if (std::isfinite(error)) found.emplace_back(error, pose);
   }
-  std::sort(
-      found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::sort(found.begin(), found.end(),
+            [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<BoardPose> poses;
   for (const auto& [error, pose] : found) poses.push_back(pose);
   return poses;
@@ -552,8 +525,7 @@ double pose_error_px(const BoardView& view, const Camera& camera, const BoardPos
                                 ? CameraModel::kFisheye
                                 : CameraModel::kBrown;
   for (std::size_t i = 0; i < view.pixels.size(); ++i) {
-    const auto seen = project_by(model,
-                                 {numbers.data(), static_cast<std::size_t>(numbers.size())},
+    const auto seen = project_by(model, {numbers.data(), static_cast<std::size_t>(numbers.size())},
                                  rotation * view.board_mm[i] + pose.shift_mm);
     if (!seen) return kWorst;
     sum += (seen->pixel - view.pixels[i]).squaredNorm();
@@ -561,8 +533,7 @@ double pose_error_px(const BoardView& view, const Camera& camera, const BoardPos
   return std::sqrt(sum / static_cast<double>(view.pixels.size()));
 }
 
-Result<CameraParameters> first_lens(const std::vector<BoardView>& views,
-                                    CameraModel model,
+Result<CameraParameters> first_lens(const std::vector<BoardView>& views, CameraModel model,
                                     cv::Size size) {
   std::vector<const BoardView*> some;
   const std::size_t step = (views.size() + kMaxViews - 1) / kMaxViews;
@@ -581,8 +552,7 @@ Result<CameraParameters> first_lens(const std::vector<BoardView>& views,
     }
   if (!std::isfinite(best))
     return Error{
-        en::say("no lens model explains the found corners"),
-        "",
+        en::say("no lens model explains the found corners"), "",
         en::say("a flat board of the size given with --board; --model fisheye for a lens wider "
                 "than 120 degrees")};
   return lens;

@@ -62,12 +62,9 @@ class ViewCost final : public ceres::CostFunction {
     Eigen::Vector3d board_middle_mm = Eigen::Vector3d::Zero();
     double board_half_mm = 1;
   };
-  ViewCost(CameraModel model,
-           const BoardView& view,
-           const std::vector<double>& weights,
+  ViewCost(CameraModel model, const BoardView& view, const std::vector<double>& weights,
            const Units& units);
-  bool Evaluate(double const* const* parameters,
-                double* residuals,
+  bool Evaluate(double const* const* parameters, double* residuals,
                 double** jacobians) const override;
 
  private:
@@ -107,18 +104,14 @@ inline constexpr double kOutlierSigmas = 4.5;
 /// Fits robustly (Cauchy's weights, scale from the median) until convergence, then by plain least
 /// squares without outlier corners. The covariance is then valid for Gaussian noise. Errors:
 /// stopped, nothing solvable, or a direction of the lens that these views do not determine.
-[[nodiscard]] Result<LensFit> fit_lens(const std::vector<BoardView>& views,
-                                       const LensFit& start,
-                                       const LensFitOptions& options,
-                                       const Job& job);
+[[nodiscard]] Result<LensFit> fit_lens(const std::vector<BoardView>& views, const LensFit& start,
+                                       const LensFitOptions& options, const Job& job);
 
 /// Fits the pose of one board with a known lens. `weights`: one for each corner. Returns the root
 /// of the weighted sum of squares over its degrees of freedom, px of one coordinate; infinite when
 /// there is no solution.
-double fit_pose(const BoardView& view,
-                const CameraParameters& lens,
-                const std::vector<double>& weights,
-                BoardPose& pose,
+double fit_pose(const BoardView& view, const CameraParameters& lens,
+                const std::vector<double>& weights, BoardPose& pose,
                 BoardShape* free_shape = nullptr);
 
 // First values for a lens and for the board's poses, from the corners alone.
@@ -129,15 +122,13 @@ double fit_pose(const BoardView& view,
 
 /// Root mean square distance of projected and seen corners, px; infinite where a corner cannot be
 /// seen at all.
-[[nodiscard]] double pose_error_px(const BoardView& view,
-                                   const Camera& camera,
+[[nodiscard]] double pose_error_px(const BoardView& view, const Camera& camera,
                                    const BoardPose& pose);
 
 /// Searches a wide table of focal lengths (and for brown of bends) for the lens with which flat
 /// boards explain the corners best. The principal point is the middle of the image. It works where
 /// a homography of the pixels does not, as with a fisheye. Error: none explains them.
 [[nodiscard]] Result<CameraParameters> first_lens(const std::vector<BoardView>& views,
-                                                  CameraModel model,
-                                                  cv::Size size);
+                                                  CameraModel model, cv::Size size);
 
 }  // namespace alltact

@@ -43,9 +43,7 @@ Verdict lens_verdict(const LensEvidence& evidence) {
   result.error_mm = evidence.distance_mm * evidence.focal_sd_part;
   Grade grade = grade_of_mm(result.error_mm);
   Message reason = en::say("the focal length is known to {:.2g} %, {:.2g} mm at {:g} mm",
-                           100 * evidence.focal_sd_part,
-                           result.error_mm,
-                           evidence.distance_mm);
+                           100 * evidence.focal_sd_part, result.error_mm, evidence.distance_mm);
   const auto lower_to = [&](Grade other, const Message& why) {
     if (other <= grade) return;
     grade = other;
@@ -57,14 +55,12 @@ Verdict lens_verdict(const LensEvidence& evidence) {
     const double mm = px * evidence.distance_mm / evidence.focal_px;
     lower_to(grade_of_mm(mm),
              en::say("but two halves of the views disagree by {:.2f} px ({:.2g} mm)",
-                     evidence.halves->median_px,
-                     2 * mm));
+                     evidence.halves->median_px, 2 * mm));
   }
   if (evidence.held_out)
     lower_to(grade_of_held_out(evidence),
              en::say("but views left out fit worse ({:.2f} px) than those fitted ({:.2f} px)",
-                     evidence.held_out->error_px,
-                     evidence.sigma_px));
+                     evidence.held_out->error_px, evidence.sigma_px));
   if (!evidence.coverage.enough)
     lower_to(Grade::kUsable,
              en::say("but the views cover too little of the image or too few tilts"));
@@ -142,16 +138,9 @@ Message listed(const std::vector<Message>& words) {
 
 /// `number`: 1 to kEnoughViews.
 Message number_word(int number) {
-  static const std::array words{en::say("one"),
-                                en::say("two"),
-                                en::say("three"),
-                                en::say("four"),
-                                en::say("five"),
-                                en::say("six"),
-                                en::say("seven"),
-                                en::say("eight"),
-                                en::say("nine"),
-                                en::say("ten")};
+  static const std::array words{en::say("one"),  en::say("two"), en::say("three"), en::say("four"),
+                                en::say("five"), en::say("six"), en::say("seven"), en::say("eight"),
+                                en::say("nine"), en::say("ten")};
   static_assert(words.size() == kEnoughViews);
   return words.at(static_cast<std::size_t>(number - 1));
 }
@@ -211,8 +200,8 @@ LensCoverage coverage_of(const std::vector<BoardView>& views, const LensFit& fit
     if (direction.y() < -0.38) ++tilt_counts[2];
     if (direction.y() > 0.38) ++tilt_counts[3];
   }
-  const std::array all{
-      en::say("to the left"), en::say("to the right"), en::say("up"), en::say("down")};
+  const std::array all{en::say("to the left"), en::say("to the right"), en::say("up"),
+                       en::say("down")};
   for (std::size_t i = 0; i < tilt_counts.size(); ++i)
     if (tilt_counts[i] == 0) coverage.untilted.push_back(all[i]);
   const auto n = static_cast<int>(views.size());
@@ -228,8 +217,7 @@ namespace {
 /// The views for which `selects(index)` holds, with the start for them.
 template <class Selector>
 std::pair<std::vector<BoardView>, LensFit> part_of(const std::vector<BoardView>& views,
-                                                   const LensFit& fit,
-                                                   const Selector& selects) {
+                                                   const LensFit& fit, const Selector& selects) {
   std::pair<std::vector<BoardView>, LensFit> part;
   part.second.lens = fit.lens;
   part.second.shape = fit.shape;
@@ -243,10 +231,8 @@ std::pair<std::vector<BoardView>, LensFit> part_of(const std::vector<BoardView>&
 
 }  // namespace
 
-std::optional<HeldOut> cross_validate(const std::vector<BoardView>& views,
-                                      const LensFit& fit,
-                                      const LensFitOptions& options,
-                                      const Job& job) {
+std::optional<HeldOut> cross_validate(const std::vector<BoardView>& views, const LensFit& fit,
+                                      const LensFitOptions& options, const Job& job) {
   if (views.size() < 4) return std::nullopt;
   const std::size_t folds = std::min<std::size_t>(5, views.size());
   double sum = 0, freedom = 0;
@@ -277,8 +263,7 @@ std::optional<HeldOut> cross_validate(const std::vector<BoardView>& views,
   return HeldOut{static_cast<int>(folds), std::sqrt(sum / freedom), spread.x(), spread.y()};
 }
 
-std::optional<LensDifference> difference_of(const CameraParameters& a,
-                                            const CameraParameters& b,
+std::optional<LensDifference> difference_of(const CameraParameters& a, const CameraParameters& b,
                                             double distance_mm) {
   const auto camera = Camera::create(a);
   if (!camera || !Camera::create(b)) return std::nullopt;
@@ -302,9 +287,9 @@ std::optional<LensDifference> difference_of(const CameraParameters& a,
   std::vector<double> differences;
   const Eigen::VectorXd numbers = lens_numbers(b);
   for (std::size_t i = 0; i < cloud.pixels.size(); ++i) {
-    const auto seen = project_by(b.model,
-                                 {numbers.data(), static_cast<std::size_t>(numbers.size())},
-                                 pose(cloud.board_mm[i]));
+    const auto seen =
+        project_by(b.model, {numbers.data(), static_cast<std::size_t>(numbers.size())},
+                   pose(cloud.board_mm[i]));
     if (!seen) return std::nullopt;
     differences.push_back((seen->pixel - cloud.pixels[i]).norm());
   }
@@ -317,8 +302,7 @@ std::optional<LensDifference> difference_of(const CameraParameters& a,
 std::optional<LensDifference> difference_of_halves(const std::vector<BoardView>& views,
                                                    const LensFit& fit,
                                                    const LensFitOptions& options,
-                                                   double distance_mm,
-                                                   const Job& job) {
+                                                   double distance_mm, const Job& job) {
   if (views.size() < 6) return std::nullopt;
   std::vector<CameraParameters> lenses;
   for (const std::size_t half : {0, 1}) {

@@ -48,8 +48,7 @@ struct HeldOut {
 /// stopped.
 [[nodiscard]] std::optional<HeldOut> cross_validate(const std::vector<BoardView>& views,
                                                     const LensFit& fit,
-                                                    const LensFitOptions& options,
-                                                    const Job& job);
+                                                    const LensFitOptions& options, const Job& job);
 
 /// Disagreement of two lenses on projected points, px, over the image.
 struct LensDifference {
@@ -66,11 +65,8 @@ struct LensDifference {
 /// The difference of the lenses fitted to every second view and to the others. nullopt with fewer
 /// than six views, when a half cannot be fitted, and when stopped.
 [[nodiscard]] std::optional<LensDifference> difference_of_halves(
-    const std::vector<BoardView>& views,
-    const LensFit& fit,
-    const LensFitOptions& options,
-    double distance_mm,
-    const Job& job);
+    const std::vector<BoardView>& views, const LensFit& fit, const LensFitOptions& options,
+    double distance_mm, const Job& job);
 
 struct LensEvidence {
   double focal_sd_part = 0;  ///< relative standard deviation of the focal length, of the worse axis

@@ -15,8 +15,7 @@
 namespace alltact {
 namespace {
 
-MeasuredFrame measured_by(const FingerSnapshot& finger,
-                          const PipelineSettings& settings,
+MeasuredFrame measured_by(const FingerSnapshot& finger, const PipelineSettings& settings,
                           FrameResult result) {
   MeasuredFrame frame;
   frame.result = std::move(result);
@@ -59,8 +58,7 @@ cv::Mat difference_on_face(const FrameResult& own, const FrameResult& other) {
 }
 
 /// The same pipeline as live.
-Result<Pipeline> pipeline_of(const FingerSnapshot& finger,
-                             const PipelineSettings& settings,
+Result<Pipeline> pipeline_of(const FingerSnapshot& finger, const PipelineSettings& settings,
                              const Job& job) {
   if (!finger.finger.reference) return Pipeline::without_reference(finger, settings);
   return Pipeline::create(finger, settings, job);
@@ -81,8 +79,7 @@ Status FrameMeasurer::load_finger(const std::filesystem::path& folder, const Job
   other_frame_.reset();
   last_.reset();
   if (folder.empty())
-    return Error{en::say("no finger is open, so the recording cannot be measured"),
-                 "",
+    return Error{en::say("no finger is open, so the recording cannot be measured"), "",
                  en::say("opening a finger")};
   if (!finger) return finger.error();
   auto pipeline = pipeline_of(**finger, measuring_settings(folder), job);
@@ -120,8 +117,7 @@ Status FrameMeasurer::open_recording(const std::filesystem::path& input, const J
   last_.reset();
   std::error_code ignored;
   if (!std::filesystem::exists(input, ignored))
-    return Error{en::say("this recording no longer exists"),
-                 input.string(),
+    return Error{en::say("this recording no longer exists"), input.string(),
                  en::say("plugging in its disk, or opening another one")};
   auto frames = RecordedFrames::open(input, job);
   if (!frames) return frames.error();
@@ -150,9 +146,7 @@ Result<FrameResult> FrameMeasurer::measure_other_frame(std::size_t number) {
   return other_frame_->result;
 }
 
-void FrameMeasurer::compare(MeasuredFrame& frame,
-                            const ComparisonSpec& other,
-                            bool is_next,
+void FrameMeasurer::compare(MeasuredFrame& frame, const ComparisonSpec& other, bool is_next,
                             const Job& job) {
   if (other.method == OtherMethod::kFrame) {
     auto result = measure_other_frame(other.frame);
@@ -175,8 +169,7 @@ void FrameMeasurer::compare(MeasuredFrame& frame,
                             : difference_of(frame.result, *frame.other);
 }
 
-Result<MeasuredFrame> FrameMeasurer::measure(std::size_t number,
-                                             const ComparisonSpec& other,
+Result<MeasuredFrame> FrameMeasurer::measure(std::size_t number, const ComparisonSpec& other,
                                              const Job& job) {
   number = std::min(number, frames_->count() - 1);
   auto frame_read = frames_->frame(number);
@@ -192,11 +185,9 @@ Result<MeasuredFrame> FrameMeasurer::measure(std::size_t number,
   return frame;
 }
 
-Result<MeasuredFrame> FrameMeasurer::complete(const FrameResult& live,
-                                              const Finger& finger,
+Result<MeasuredFrame> FrameMeasurer::complete(const FrameResult& live, const Finger& finger,
                                               const std::filesystem::path& folder,
-                                              const ComparisonSpec& other,
-                                              const Job& job) {
+                                              const ComparisonSpec& other, const Job& job) {
   const auto snapshot = FingerSnapshot::of(folder, finger);
   if (!snapshot) return snapshot.error();
   last_.reset();

@@ -80,18 +80,15 @@ class FrameMeasurer {
 
   /// Requires both open. `number`: beyond the recording's end the last frame is used. Errors: the
   /// frame cannot be read, or is not of the finger's size.
-  [[nodiscard]] Result<MeasuredFrame> measure(std::size_t number,
-                                              const ComparisonSpec& other,
+  [[nodiscard]] Result<MeasuredFrame> measure(std::size_t number, const ComparisonSpec& other,
                                               const Job& job);
 
   /// Completes a frame that `finger` has measured live. Another method or setting is measured with
   /// the finger in `folder`, opened for that purpose; with an empty folder, not at all. There is no
   /// other frame. Errors: those of load_finger() and FingerSnapshot::of.
-  [[nodiscard]] Result<MeasuredFrame> complete(const FrameResult& live,
-                                               const Finger& finger,
+  [[nodiscard]] Result<MeasuredFrame> complete(const FrameResult& live, const Finger& finger,
                                                const std::filesystem::path& folder,
-                                               const ComparisonSpec& other,
-                                               const Job& job);
+                                               const ComparisonSpec& other, const Job& job);
 
  private:
   Status open_other(const ComparisonSpec& other, const Job& job);

@@ -86,13 +86,9 @@ LiveFinger::~LiveFinger() {
   if (state_->loading) state_->loading->job.request_stop();
 }
 
-void LiveFinger::open(const std::filesystem::path& folder) {
-  load(folder, {});
-}
+void LiveFinger::open(const std::filesystem::path& folder) { load(folder, {}); }
 
-void LiveFinger::open_scene(const std::filesystem::path& scene) {
-  load({}, scene);
-}
+void LiveFinger::open_scene(const std::filesystem::path& scene) { load({}, scene); }
 
 void LiveFinger::load(const std::filesystem::path& folder, const std::filesystem::path& scene) {
   const auto state = state_;
@@ -246,10 +242,7 @@ ALLTACT_WIDE bool has_colour(const float* depth_mm, int count) {
   return any != 0;
 }
 
-void colour_part(const float* depth_mm,
-                 float steps_per_mm,
-                 int count,
-                 const DepthColours& colours,
+void colour_part(const float* depth_mm, float steps_per_mm, int count, const DepthColours& colours,
                  std::uint32_t* pixels) {
   for (int u = 0; u < count; ++u) {
     const float at = depth_mm[u] * steps_per_mm + kZeroStep;
@@ -306,10 +299,7 @@ PartLayer depth_layer(const DepthMap& depth, double top_mm) {
   const float scale = static_cast<float>(255 / ((1 + kBulgeFraction) * top_mm));
   PartLayer layer{cv::Mat::zeros(all.size(), CV_8UC4), all.tl()};
   for (const cv::Rect& part : parts)
-    colour_part(map.ptr<float>(part.y) + part.x,
-                scale,
-                part.width,
-                colours,
+    colour_part(map.ptr<float>(part.y) + part.x, scale, part.width, colours,
                 layer.pixels.ptr<std::uint32_t>(part.y - all.y) + (part.x - all.x));
   return layer;
 }

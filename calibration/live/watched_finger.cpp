@@ -12,9 +12,7 @@ bool measure_alike(const FingerSnapshot& a, const FingerSnapshot& b) {
 }  // namespace
 
 Result<std::unique_ptr<WatchedFinger>> WatchedFinger::open(
-    const std::filesystem::path& folder,
-    MakePipeline make,
-    const Job& job,
+    const std::filesystem::path& folder, MakePipeline make, const Job& job,
     std::chrono::milliseconds poll_interval) {
   auto store = FingerStore::of(folder);
   const auto finger = store->snapshot();
@@ -25,9 +23,7 @@ Result<std::unique_ptr<WatchedFinger>> WatchedFinger::open(
       std::move(store), std::move(make), {*finger, std::move(*pipeline)}, poll_interval));
 }
 
-WatchedFinger::WatchedFinger(std::shared_ptr<FingerStore> store,
-                             MakePipeline make,
-                             Ready now,
+WatchedFinger::WatchedFinger(std::shared_ptr<FingerStore> store, MakePipeline make, Ready now,
                              std::chrono::milliseconds poll_interval)
     : store_(std::move(store)),
       make_(std::move(make)),
@@ -35,9 +31,7 @@ WatchedFinger::WatchedFinger(std::shared_ptr<FingerStore> store,
       last_seen_(now_.finger),
       thread_([this, poll_interval](const std::stop_token& stop) { poll(stop, poll_interval); }) {}
 
-WatchedFinger::~WatchedFinger() {
-  loading_.request_stop();
-}
+WatchedFinger::~WatchedFinger() { loading_.request_stop(); }
 
 void WatchedFinger::poll(const std::stop_token& stop, std::chrono::milliseconds poll_interval) {
   while (!stop.stop_requested()) {

@@ -28,9 +28,7 @@ class WatchedFinger {
   /// Errors: those of FingerStore::snapshot and `make`. `make` is also called on the other thread,
   /// one call at a time.
   [[nodiscard]] static Result<std::unique_ptr<WatchedFinger>> open(
-      const std::filesystem::path& folder,
-      MakePipeline make,
-      const Job& job,
+      const std::filesystem::path& folder, MakePipeline make, const Job& job,
       std::chrono::milliseconds poll_interval = std::chrono::seconds(2));
   ~WatchedFinger();  ///< requests loading to stop, and waits
   WatchedFinger(const WatchedFinger&) = delete;
@@ -50,9 +48,7 @@ class WatchedFinger {
     FingerPtr finger;
     Pipeline pipeline;
   };
-  WatchedFinger(std::shared_ptr<FingerStore> store,
-                MakePipeline make,
-                Ready now,
+  WatchedFinger(std::shared_ptr<FingerStore> store, MakePipeline make, Ready now,
                 std::chrono::milliseconds poll_interval);
   void poll(const std::stop_token& stop, std::chrono::milliseconds poll_interval);
   void poll_once();

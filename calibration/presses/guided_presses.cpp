@@ -41,9 +41,7 @@ std::optional<PressTaker::Taken> PressTaker::end() {
   return take(alike_);
 }
 
-void PressTaker::forget() {
-  *this = PressTaker();
-}
+void PressTaker::forget() { *this = PressTaker(); }
 
 double PressTaker::held_part() const {
   // The first frame always equals itself.
@@ -141,14 +139,12 @@ std::optional<Eigen::Vector2d> pixel_of_position(const FaceShape& shape,
                                                  const Eigen::Vector2d& position_mm) {
   const auto seen = seen_columns(shape);
   if (!seen) return std::nullopt;
-  const double u = solve_monotonic(position_mm.x(), seen->first, seen->second, [&](double column) {
-    return shape.length_at(column);
-  });
+  const double u = solve_monotonic(position_mm.x(), seen->first, seen->second,
+                                   [&](double column) { return shape.length_at(column); });
   const auto rows = shape.rows(static_cast<int>(std::lround(u)), 0);
   if (rows.first > rows.last) return std::nullopt;
-  const double v = solve_monotonic(position_mm.y(), rows.first, rows.last, [&](double row) {
-    return shape.position_mm(u, row).y();
-  });
+  const double v = solve_monotonic(position_mm.y(), rows.first, rows.last,
+                                   [&](double row) { return shape.position_mm(u, row).y(); });
   return Eigen::Vector2d(u, v);
 }
 

@@ -38,8 +38,7 @@ class PressTaker {
   /// Adds the next frame, and the contact that it shows. time_s: of any monotonic clock. With
   /// flickering light no two frames are the same; then a stationary contact is taken as it is.
   [[nodiscard]] std::optional<Taken> see(const FramePtr& frame,
-                                         const std::optional<DarkPatch>& contact,
-                                         double time_s);
+                                         const std::optional<DarkPatch>& contact, double time_s);
   /// The stream has ended: the last frame is taken.
   [[nodiscard]] std::optional<Taken> end();
   /// Resets frames and request: another finger, or no viewer.

@@ -30,10 +30,8 @@ bool is_cut(const Press& press, const std::vector<Eigen::Vector2d>& rim) {
 
 }  // namespace
 
-std::optional<BallOnFace> ball_on_face(const FaceShape& shape,
-                                       const Face& face,
-                                       const Eigen::Vector3d& centre_mm,
-                                       double radius_mm) {
+std::optional<BallOnFace> ball_on_face(const FaceShape& shape, const Face& face,
+                                       const Eigen::Vector3d& centre_mm, double radius_mm) {
   std::optional<BallOnFace> contact;
   Eigen::Vector3d seen = centre_mm;
   for (int i = 0; i < 5; ++i) {  // from the line of sight to the foot of the normal
@@ -45,15 +43,13 @@ std::optional<BallOnFace> ball_on_face(const FaceShape& shape,
     const double height = (centre_mm - face_point).dot(local->normal);
     contact = BallOnFace{radius_mm - height,
                          std::sqrt(std::max(0.0, (radius_mm - height) * (radius_mm + height))),
-                         centre_mm - height * local->normal,
-                         local->normal};
+                         centre_mm - height * local->normal, local->normal};
     seen = contact->middle_mm - face.layer_mm * local->normal;
   }
   return contact;
 }
 
-std::vector<Eigen::Vector2d> contact_rim_px(const Camera& camera,
-                                            const BallOnFace& contact,
+std::vector<Eigen::Vector2d> contact_rim_px(const Camera& camera, const BallOnFace& contact,
                                             int count) {
   std::vector<Eigen::Vector2d> rim;
   if (!(contact.radius_mm > 0)) return rim;
@@ -68,16 +64,14 @@ std::vector<Eigen::Vector2d> contact_rim_px(const Camera& camera,
   return rim;
 }
 
-Result<BallGuess> guess_of_manual_ball(const Press& press,
-                                       const Face& face,
+Result<BallGuess> guess_of_manual_ball(const Press& press, const Face& face,
                                        const Eigen::Vector3d& centre_mm) {
   const double radius_mm = press.ball_radius_mm;
   const Camera& camera = press.shape.camera();
   const auto contact = ball_on_face(press.shape, face, centre_mm, radius_mm);
   const auto outline = fit_circle(ball_outline_px(camera, centre_mm, radius_mm, kRimPoints));
   if (!contact || !(contact->depth_mm > 0) || !(contact->depth_mm < radius_mm) || !outline)
-    return Error{en::say("the ball that was set by hand does not touch the face"),
-                 press.name,
+    return Error{en::say("the ball that was set by hand does not touch the face"), press.name,
                  en::say("moving its outline to the dark disc, or automatic detection")};
   BallGuess guess;
   guess.centre_mm = centre_mm;
@@ -124,9 +118,7 @@ cv::Mat block_means(const cv::Mat& x, int block) {
 }
 
 /// Derivative of the untouched point by the pixel; zero where the face ends.
-Eigen::Vector3d by_pixel(const FaceShape& shape,
-                         const Face& face,
-                         const Eigen::Vector2d& pixel,
+Eigen::Vector3d by_pixel(const FaceShape& shape, const Face& face, const Eigen::Vector2d& pixel,
                          const Eigen::Vector2d& step) {
   const Eigen::Vector2d from = pixel - step, to = pixel + step;
   const auto before = shape.at(from.x(), from.y()), after = shape.at(to.x(), to.y());
@@ -203,11 +195,8 @@ const Sample* nearest_sample(const PressSamples& press, const Eigen::Vector3d& p
   return nearest == press.samples.end() ? nullptr : &*nearest;
 }
 
-PressSamples sample_around(const Press& press,
-                           const Face& face,
-                           const Eigen::Vector3d& middle,
-                           double radius_mm,
-                           int limit) {
+PressSamples sample_around(const Press& press, const Face& face, const Eigen::Vector3d& middle,
+                           double radius_mm, int limit) {
   // The approximate extent from a coarse sample, then blocks as fine as the limit allows.
   constexpr int kRough = 8;
   constexpr int kFinest = 2;
@@ -317,9 +306,8 @@ std::vector<Patch> patches_of(const cv::Mat& labels, const cv::Mat& x, int count
     }
   }
   std::erase_if(patches, [](const Patch& p) { return p.pixels < kMinimumPixels; });
-  std::stable_sort(patches.begin(), patches.end(), [](const Patch& a, const Patch& b) {
-    return a.weight > b.weight;
-  });
+  std::stable_sort(patches.begin(), patches.end(),
+                   [](const Patch& a, const Patch& b) { return a.weight > b.weight; });
   return patches;
 }
 
@@ -450,8 +438,7 @@ Result<BallGuess> find(const Press& press, const Face& face) {
         press,
         en::say("nothing on the face is clearly darker than in the reference (the "
                 "darkest part differs by {:.1f} %, the rest scatters by {:.1f} %)",
-                100.0 * contrast,
-                100.0 * levels->spread),
+                100.0 * contrast, 100.0 * levels->spread),
         en::say("pressing the ball in deeper, and checking that the reference shows the same "
                 "finger in the same pose"));
   const double level = std::max(0.0, levels->untouched) + kDiscLevel * contrast;
@@ -473,8 +460,7 @@ Result<BallGuess> find(const Press& press, const Face& face) {
   const auto circle = robust_circle(rim.points_mm);
   const auto circle_px = robust_circle(rim.points_px);
   if (!circle || !circle_px)
-    return refuse(press,
-                  en::say("the border of the dark part is not a circular arc"),
+    return refuse(press, en::say("the border of the dark part is not a circular arc"),
                   en::say("a press in which the ball is entirely on the face"));
   BallGuess guess;
   guess.rim_arc_deg = arc_deg(rim.points_mm, *circle);
@@ -490,8 +476,7 @@ Result<BallGuess> find(const Press& press, const Face& face) {
   if (circle->radius > ball_radius_mm)
     return refuse(press,
                   en::say("the dark part has a radius of {:.2f} mm, more than the ball's {:g} mm",
-                          circle->radius,
-                          ball_radius_mm),
+                          circle->radius, ball_radius_mm),
                   en::say("checking the ball's radius, or an image with only the ball in contact"));
   double spread = 0;
   for (const auto& p : rim.points_mm)
@@ -502,12 +487,10 @@ Result<BallGuess> find(const Press& press, const Face& face) {
     return refuse(press,
                   en::say("the dark part is not a disc: its rim is off a circle by {:.0f} % of the "
                           "radius, and {:.0f} % of the circle is dark",
-                          100.0 * spread,
-                          100.0 * inside.dark_share),
+                          100.0 * spread, 100.0 * inside.dark_share),
                   en::say("an image in which a ball, and only the ball, touches the face"));
   if (inside.to_middle_mm.norm() > circle->radius)
-    return refuse(press,
-                  en::say("the middle of the dark disc is outside the face"),
+    return refuse(press, en::say("the middle of the dark disc is outside the face"),
                   en::say("a press closer to the middle of the face"));
 
   const double depth = disc_depth_mm(circle->radius, ball_radius_mm);
@@ -526,18 +509,16 @@ Result<BallGuess> find(const Press& press, const Face& face) {
 
 Result<BallGuess> find_ball(const Press& press, const Face& face) {
   if (!(press.ball_radius_mm > 0.0) || !std::isfinite(press.ball_radius_mm))
-    return Error{en::say("a ball radius of {} mm is impossible", press.ball_radius_mm),
-                 press.name,
+    return Error{en::say("a ball radius of {} mm is impossible", press.ball_radius_mm), press.name,
                  en::say("the radius in millimetres, as measured with callipers")};
   if (press.difference.x.type() != CV_32FC1 || press.difference.x.empty() ||
       press.difference.x.cols != press.shape.width_px())
-    return refuse(
-        press, en::say("the press has no difference image"), en::say("taking the image again"));
+    return refuse(press, en::say("the press has no difference image"),
+                  en::say("taking the image again"));
   try {
     return find(press, face);
   } catch (const cv::Exception& problem) {
-    return refuse(press,
-                  en::say("OpenCV failed: {}", std::string(problem.what())),
+    return refuse(press, en::say("OpenCV failed: {}", std::string(problem.what())),
                   en::say("a smaller image"));
   }
 }

@@ -60,20 +60,17 @@ struct BallOnFace {
   Eigen::Vector3d normal;     ///< of the face, away from the camera
 };
 /// nullopt where the ball is not over the visible part of the face.
-[[nodiscard]] std::optional<BallOnFace> ball_on_face(const FaceShape& shape,
-                                                     const Face& face,
+[[nodiscard]] std::optional<BallOnFace> ball_on_face(const FaceShape& shape, const Face& face,
                                                      const Eigen::Vector3d& centre_mm,
                                                      double radius_mm);
 
 /// The circle in which the ball cuts the untouched face, in pixels, in even steps around.
 [[nodiscard]] std::vector<Eigen::Vector2d> contact_rim_px(const Camera& camera,
-                                                          const BallOnFace& contact,
-                                                          int count);
+                                                          const BallOnFace& contact, int count);
 
 /// The guess for a ball that a person set at `centre_mm`, in the form of find_ball(). Error: it
 /// does not touch the visible face.
-[[nodiscard]] Result<BallGuess> guess_of_manual_ball(const Press& press,
-                                                     const Face& face,
+[[nodiscard]] Result<BallGuess> guess_of_manual_ball(const Press& press, const Face& face,
                                                      const Eigen::Vector3d& centre_mm);
 
 // A press reduced to block means on the face: the input of the fits.
@@ -126,10 +123,8 @@ void set_unit_positions(const PressedArea& part, PressSamples* press);
 
 /// The blocks within `radius_mm` of `middle` (camera frame, measured from untouched_n). Their size
 /// is the smallest from 2 px on that gives at most about `limit` of them.
-[[nodiscard]] PressSamples sample_around(const Press& press,
-                                         const Face& face,
-                                         const Eigen::Vector3d& middle,
-                                         double radius_mm,
+[[nodiscard]] PressSamples sample_around(const Press& press, const Face& face,
+                                         const Eigen::Vector3d& middle, double radius_mm,
                                          int limit);
 
 // Which pixels of an image of measurements have a value.

@@ -53,8 +53,8 @@ cv::Mat blocks_of(const cv::Mat& grey) {
   const int block = std::max(kMinBlockPx, grey.cols / kMaxBlocks);
   const cv::Size size(std::max(1, grey.cols / block), std::max(1, grey.rows / block));
   cv::Mat cropped, blocks;
-  grey(cv::Rect(
-           0, 0, std::min(grey.cols, size.width * block), std::min(grey.rows, size.height * block)))
+  grey(cv::Rect(0, 0, std::min(grey.cols, size.width * block),
+                std::min(grey.rows, size.height * block)))
       .convertTo(cropped, CV_32F);
   cv::resize(cropped, blocks, size, 0, 0, cv::INTER_AREA);
   return blocks;
@@ -70,8 +70,8 @@ bool show_the_same(const cv::Mat& a, const cv::Mat& b) {
   for (const float value : values) off.push_back(std::abs(value - light));
   const double noise = 1.4826 * static_cast<double>(upper_median(off));
   const double far = std::max(kMovedSd * noise, kMovedLevels);
-  const auto moved = std::count_if(
-      off.begin(), off.end(), [&](float value) { return static_cast<double>(value) > far; });
+  const auto moved = std::count_if(off.begin(), off.end(),
+                                   [&](float value) { return static_cast<double>(value) > far; });
   return static_cast<double>(moved) <= std::max(2.0, kMovedPart * static_cast<double>(off.size()));
 }
 
@@ -131,8 +131,7 @@ Result<FramePtr> BurstSource::next() {
   }
   if (read > 1 && longest.size() < kFewestHeld)
     return Error{en::say("the finger moves: at most {} of {} frames in a row are the same",
-                         longest.size(),
-                         read),
+                         longest.size(), read),
                  burst.string(),
                  en::say("holding ball and finger still for half a second, in steady light")};
   if (longest.size() > max_frames_)

@@ -82,46 +82,28 @@ Text write_ball(const PressNote& note) {
 
 const std::vector<PressNoteKind>& press_note_kinds() {
   static const std::vector<PressNoteKind> kinds{
-      {"other-ball",
-       "NAME=R",
+      {"other-ball", "NAME=R",
        "A press made with a ball of another radius in mm, by its picture's name without the ending",
-       "none",
-       read_radius,
-       [](const PressNote& note) { return number_text(note.ball_radius_mm); },
+       "none", read_radius, [](const PressNote& note) { return number_text(note.ball_radius_mm); },
        [](PressNote& note) { note.ball_radius_mm.reset(); }},
-      {"depth",
-       "NAME=MM+-SD",
+      {"depth", "NAME=MM+-SD",
        "How deep a press' ball was pushed in, normal to the face from where it first touches, as a "
        "stage or a feeler gauge tells it, and how well that is known (0.02 where it is not said)",
-       "none",
-       read_depth,
-       write_depth,
-       [](PressNote& note) { note.depth.reset(); }},
-      {"step",
-       "NAME=MM",
-       "A press made with a flat punch that has a step of this height, not with a ball",
-       "none",
-       read_step,
-       [](const PressNote& note) { return number_text(note.step_mm); },
+       "none", read_depth, write_depth, [](PressNote& note) { note.depth.reset(); }},
+      {"step", "NAME=MM",
+       "A press made with a flat punch that has a step of this height, not with a ball", "none",
+       read_step, [](const PressNote& note) { return number_text(note.step_mm); },
        [](PressNote& note) { note.step_mm.reset(); }},
-      {"ball",
-       "NAME=X,Y,Z",
-       "A press' ball put by hand where the fit is to begin, in mm before the camera",
-       "find",
-       read_ball,
-       write_ball,
-       [](PressNote& note) { note.ball_mm.reset(); }},
-      {"exclude",
-       "NAME[=WHY]",
-       "A press to keep but not to use, and why",
-       nullptr,
+      {"ball", "NAME=X,Y,Z",
+       "A press' ball put by hand where the fit is to begin, in mm before the camera", "find",
+       read_ball, write_ball, [](PressNote& note) { note.ball_mm.reset(); }},
+      {"exclude", "NAME[=WHY]", "A press to keep but not to use, and why", nullptr,
        [](const std::string& value, PressNote& note) {
          note.excluded = value;
          return true;
        },
        [](const PressNote& note) { return note.excluded; },
-       [](PressNote& note) { note.excluded.reset(); },
-       true}};
+       [](PressNote& note) { note.excluded.reset(); }, true}};
   return kinds;
 }
 
@@ -137,8 +119,8 @@ Status set_press_note(const PressNoteKind& kind, const std::string& text, PressS
   else
     is_valid = is_valid && kind.read(value, note);
   if (!is_valid)
-    return Error{
-        en::say("'{}' is not of the form {}", printable(text), std::string(kind.form)), "", ""};
+    return Error{en::say("'{}' is not of the form {}", printable(text), std::string(kind.form)), "",
+                 ""};
   presses.say(name, std::move(note));
   return {};
 }

@@ -30,8 +30,7 @@ struct PressNoteKind {
 [[nodiscard]] const std::vector<PressNoteKind>& press_note_kinds();
 
 /// Sets or resets the note in `text` in `presses`. Error: `text` has not the kind's form.
-[[nodiscard]] Status set_press_note(const PressNoteKind& kind,
-                                    const std::string& text,
+[[nodiscard]] Status set_press_note(const PressNoteKind& kind, const std::string& text,
                                     PressSet& presses);
 
 /// "--depth press_2=1.2+-0.01", for all notes; pairs of flag and text.

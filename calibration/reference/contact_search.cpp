@@ -70,8 +70,7 @@ cv::Mat contrast(const cv::Mat& x, const cv::Mat& known, const Eigen::Vector2d& 
          means(x, known, window(kSurroundingsMm, mm_per_px), kSomeOfSurroundings);
 }
 
-std::optional<Spot> lowest_spot(const cv::Mat& x,
-                                const cv::Mat& known,
+std::optional<Spot> lowest_spot(const cv::Mat& x, const cv::Mat& known,
                                 const Eigen::Vector2d& mm_per_px) {
   const cv::Mat higher = contrast(x, known, mm_per_px);
   const float limit = std::max(kMinLower, kSpotSigmas * 1.4826F * median_magnitude(higher));
@@ -121,10 +120,8 @@ using WindowValues = Eigen::MatrixXf;
 
 /// Means over square windows of `side` patches, weighted by each patch's precision; NaN where less
 /// than half of a window is known.
-WindowValues window_means(const SkinPatches& patches,
-                          const PatchValues& off,
-                          const std::vector<float>& sd,
-                          int side) {
+WindowValues window_means(const SkinPatches& patches, const PatchValues& off,
+                          const std::vector<float>& sd, int side) {
   const int along = patches.along, across = patches.across, half = side / 2;
   std::vector<double> weight(sd.size());
   constexpr float kLeast = 0.003F;
@@ -199,13 +196,10 @@ struct Typical {
   std::vector<float> middle, sd, brightest;
 };
 
-Typical typical_values(const WindowValues& values,
-                       const std::vector<char>& without,
-                       const Eigen::VectorXf& factor,
-                       bool one_sided) {
+Typical typical_values(const WindowValues& values, const std::vector<char>& without,
+                       const Eigen::VectorXf& factor, bool one_sided) {
   const auto count = static_cast<std::size_t>(values.cols());
-  Typical typical{std::vector<float>(count, 0.0F),
-                  std::vector<float>(count, kNaN),
+  Typical typical{std::vector<float>(count, 0.0F), std::vector<float>(count, kNaN),
                   std::vector<float>(count, 0.0F)};
   parallel_for(static_cast<int>(values.cols()), default_threads(), [&](int first, int last) {
     std::vector<float> known;
@@ -276,8 +270,8 @@ NearPoses near_poses(const Eigen::MatrixXd& modes, const std::vector<int>& numbe
         if (std::abs(numbers[static_cast<std::size_t>(j)] - numbers[frame]) > gap)
           others.emplace_back((modes.row(j) - modes.row(i)).squaredNorm(), j);
       const std::size_t count = std::min(kNear, others.size());
-      std::partial_sort(
-          others.begin(), others.begin() + static_cast<std::ptrdiff_t>(count), others.end());
+      std::partial_sort(others.begin(), others.begin() + static_cast<std::ptrdiff_t>(count),
+                        others.end());
       for (std::size_t k = 0; k < count; ++k) near[frame].push_back(others[k].second);
     }
   });
@@ -286,13 +280,9 @@ NearPoses near_poses(const Eigen::MatrixXd& modes, const std::vector<int>& numbe
 
 class Evidence {
  public:
-  Evidence(const SkinPatches& patches,
-           const PatchValues& off,
-           const std::vector<float>& sd,
-           const std::vector<char>& without,
-           const Eigen::VectorXf& factor,
-           const std::vector<char>& judged,
-           const Rule& rule)
+  Evidence(const SkinPatches& patches, const PatchValues& off, const std::vector<float>& sd,
+           const std::vector<char>& without, const Eigen::VectorXf& factor,
+           const std::vector<char>& judged, const Rule& rule)
       : patches_(patches),
         factor_(factor),
         judged_(judged),
@@ -355,9 +345,7 @@ class Evidence {
            values.short_time(frame, patch);
   }
 
-  void grow_at(const ScaleValues& values,
-               std::ptrdiff_t from,
-               int patch,
+  void grow_at(const ScaleValues& values, std::ptrdiff_t from, int patch,
                std::vector<char>& in_contact) const {
     in_contact[static_cast<std::size_t>(from)] = 1;
     for (const int step : {-1, 1}) {
@@ -387,16 +375,12 @@ class Evidence {
         in_contact[static_cast<std::size_t>(i)] = 1;
     }
   }
-  [[nodiscard]] float sigmas(const WindowValues& values,
-                             const Typical& typical,
-                             std::ptrdiff_t frame,
-                             int patch) const {
+  [[nodiscard]] float sigmas(const WindowValues& values, const Typical& typical,
+                             std::ptrdiff_t frame, int patch) const {
     const auto k = static_cast<std::size_t>(patch);
     return (typical.middle[k] - values(frame, patch)) / (typical.sd[k] * factor_[frame]);
   }
-  [[nodiscard]] int darkest_within(const ScaleValues& values,
-                                   std::ptrdiff_t frame,
-                                   int patch,
+  [[nodiscard]] int darkest_within(const ScaleValues& values, std::ptrdiff_t frame, int patch,
                                    int reach) const {
     int darkest = patch;
     float most = sigmas(values.short_time, values.typical_short, frame, patch);
@@ -409,12 +393,8 @@ class Evidence {
       }
     return darkest;
   }
-  void search(const WindowValues& values,
-              const Typical& typical,
-              const ScaleValues& single,
-              const Rule& rule,
-              int scale,
-              int time) {
+  void search(const WindowValues& values, const Typical& typical, const ScaleValues& single,
+              const Rule& rule, int scale, int time) {
     const float least = rule.scales[static_cast<std::size_t>(scale)].least_darker;
     const float sigmas = rule.sigmas + static_cast<float>(time);
     parallel_for(static_cast<int>(values.rows()), default_threads(), [&](int first, int last) {
@@ -466,10 +446,8 @@ Eigen::VectorXd motion_sds(const Eigen::VectorXd& off_px, const std::vector<char
 
 class Search {
  public:
-  Search(const SkinPatches& patches,
-         const Eigen::MatrixXd& modes,
-         const Eigen::VectorXd& motion_off_px,
-         const std::vector<int>& numbers)
+  Search(const SkinPatches& patches, const Eigen::MatrixXd& modes,
+         const Eigen::VectorXd& motion_off_px, const std::vector<int>& numbers)
       : patches_(patches),
         coarse_(coarser_patches(patches)),
         numbers_(numbers),
@@ -648,8 +626,7 @@ std::vector<ContactStretch> stretches_of(const std::vector<FrameEvidence>& frame
   return stretches;
 }
 
-std::vector<FrameEvidence> find_contacts(const SkinPatches& patches,
-                                         const Eigen::MatrixXd& modes,
+std::vector<FrameEvidence> find_contacts(const SkinPatches& patches, const Eigen::MatrixXd& modes,
                                          const Eigen::VectorXd& motion_off_px,
                                          const std::vector<int>& numbers) {
   if (patches.frames() < kMinFittedFrames)
@@ -747,8 +724,7 @@ std::optional<ReferenceSuspect> find_reference_suspect(const Difference& differe
     if (column.valid) depths.push_back(column.z_mm);
   if (depths.empty()) return std::nullopt;
   const double mm_per_px = shape.camera().mm_per_px_at(upper_median(depths));
-  const auto spot = find_spot(difference.x,
-                              inner_face(difference.x, shape),
+  const auto spot = find_spot(difference.x, inner_face(difference.x, shape),
                               {.mm_per_px = {mm_per_px, mm_per_px}, .near_higher = false});
   if (!spot) return std::nullopt;
   const Eigen::Vector2d position_mm = shape.position_mm(spot->centre_px.x(), spot->centre_px.y());
@@ -759,9 +735,7 @@ Message sentence_of(const ReferenceSuspect& suspect) {
   return en::say(
       "the face is {:.0f} % brighter than its reference {:.0f} mm from the base: something pressed "
       "there when the reference was recorded, near its frame {}; record the reference again",
-      100.0 * suspect.brighter,
-      suspect.along_mm,
-      suspect.frame);
+      100.0 * suspect.brighter, suspect.along_mm, suspect.frame);
 }
 
 }  // namespace alltact

@@ -41,8 +41,7 @@ class EarlierReference {
   /// poses rely on other markers than those of the new recording.
   static std::optional<EarlierReference> open(const std::filesystem::path& folder,
                                               const Finger& finger,
-                                              const NumberedRecording& recording,
-                                              const Job& job);
+                                              const NumberedRecording& recording, const Job& job);
 
   static constexpr std::size_t kMostFrames = 300;
 
@@ -130,11 +129,9 @@ MarkerTable joined(MarkerTable table, const MarkerTable& below, int offset) {
   return table;
 }
 
-Result<ReadFrames> read_frames(RecordedVideo& video,
-                               const NumberedRecording& numbered,
+Result<ReadFrames> read_frames(RecordedVideo& video, const NumberedRecording& numbered,
                                std::optional<EarlierReference>& earlier,
-                               const std::vector<std::size_t>& selected,
-                               const Job& job) {
+                               const std::vector<std::size_t>& selected, const Job& job) {
   MarkerTable table = table_in_video(video.pass, numbered, selected);
   const std::size_t recorded = video.pass.greys.size();
   std::size_t all = recorded, most_bytes = std::size_t{512} << 20;
@@ -146,8 +143,8 @@ Result<ReadFrames> read_frames(RecordedVideo& video,
   const RecordingFrameReader frame = [&](std::size_t number) {
     return number < recorded ? video.frame(number) : earlier->frame(number - recorded);
   };
-  const auto read = read_recorded_faces(
-      {frame, all, video.file, table}, video.finger, video.camera, most_bytes, job);
+  const auto read = read_recorded_faces({frame, all, video.file, table}, video.finger, video.camera,
+                                        most_bytes, job);
   if (!read) return read.error();
   const std::vector<int> missing = numbered.positions ? std::vector<int>{} : numbered.missing;
   const auto model = MarkerModel::learn(table.layouts, table.typical, missing);
@@ -184,8 +181,7 @@ bool is_suspect(const FrameEvidence& frame) {
 }
 
 /// Frames that are chosen to count as untouched are ignored.
-bool is_mostly_contact(const FrameJudgements& evidence,
-                       const std::vector<std::size_t>& numbers,
+bool is_mostly_contact(const FrameJudgements& evidence, const std::vector<std::size_t>& numbers,
                        const ReferenceChoices& choices) {
   std::size_t contact_frames = 0;
   for (std::size_t i = 0; i < numbers.size(); ++i)
@@ -212,30 +208,20 @@ Message sentence_of(const ReferenceStretch& stretch) {
     return en::say(
         "frames {} to {}: something may have pressed on the contact face, {:.0f} mm from "
         "its base (up to {:.1f} % darker than untouched)",
-        stretch.first,
-        stretch.last,
-        stretch.along_mm,
-        percent);
+        stretch.first, stretch.last, stretch.along_mm, percent);
   if (stretch.first == stretch.last)
     return en::say(
         "frame {}: something pressed on the contact face, {:.0f} mm from its base "
         "({:.0f} % darker than untouched)",
-        stretch.first,
-        stretch.along_mm,
-        percent);
+        stretch.first, stretch.along_mm, percent);
   return en::say(
       "frames {} to {}: something pressed on the contact face, {:.0f} mm from its base "
       "(up to {:.0f} % darker than untouched)",
-      stretch.first,
-      stretch.last,
-      stretch.along_mm,
-      percent);
+      stretch.first, stretch.last, stretch.along_mm, percent);
 }
 
-void report_stretches(const FrameJudgements& evidence,
-                      const std::vector<std::size_t>& numbers,
-                      const ReferenceChoices& choices,
-                      ReferenceReport& report) {
+void report_stretches(const FrameJudgements& evidence, const std::vector<std::size_t>& numbers,
+                      const ReferenceChoices& choices, ReferenceReport& report) {
   for (const FrameEvidence& frame : evidence) {
     report.contact_frames += frame.touch == FrameContact::kContact;
     report.doubtful += frame.touch == FrameContact::kDoubtful;
@@ -269,8 +255,7 @@ void leave_all_in(std::size_t frames, ReferenceReport& report) {
       en::say("In {} of {} frames the face is darker than in the others. Something pressed on it "
               "most of the time, or most poses occur once. All frames stay in use. If there was "
               "contact, record again, and show each pose several times",
-              report.contact_frames + report.doubtful,
-              frames));
+              report.contact_frames + report.doubtful, frames));
   report.doubtful += report.contact_frames;
   report.contact_frames = 0;
   for (ReferenceStretch& stretch : report.stretches) {
@@ -282,22 +267,19 @@ void leave_all_in(std::size_t frames, ReferenceReport& report) {
 
 /// Undecided frames are retained.
 void warn_of_unexplained(const FrameJudgements& evidence, ReferenceReport& report) {
-  const auto unexplained =
-      std::count_if(evidence.begin(), evidence.end(), [](const FrameEvidence& frame) {
-        return frame.touch == FrameContact::kUnexplained;
-      });
+  const auto unexplained = std::count_if(
+      evidence.begin(), evidence.end(),
+      [](const FrameEvidence& frame) { return frame.touch == FrameContact::kUnexplained; });
   if (unexplained == 0) return;
   report.warnings.push_back(
       en::say("In {} of {} frames the face is darker than in the brightest, and so are frames of "
               "near poses. Something pressed on it for long, or these poses occur once. They stay "
               "in use. If there was contact, record again, and show each pose several times",
-              unexplained,
-              evidence.size()));
+              unexplained, evidence.size()));
 }
 
 /// Reports the stretch, so that its darkest frame can be shown.
-Error refuse(const PersistentContact& touch,
-             const std::vector<std::size_t>& numbers,
+Error refuse(const PersistentContact& touch, const std::vector<std::size_t>& numbers,
              ReferenceReport& report) {
   ReferenceStretch stretch;
   stretch.first = static_cast<int>(numbers.front());
@@ -311,10 +293,7 @@ Error refuse(const PersistentContact& touch,
   return {
       en::say("something pressed on the contact face {:.0f} mm from its base in {} of {} "
               "frames: it is {:.0f} % darker there than in the reference from before",
-              touch.along_mm,
-              touch.frames,
-              numbers.size(),
-              100.0 * touch.darker),
+              touch.along_mm, touch.frames, numbers.size(), 100.0 * touch.darker),
       en::say("recording"),
       en::say(
           "record again with nothing on the contact face, or specify that its skin has changed")};
@@ -324,12 +303,9 @@ Error refuse(const PersistentContact& touch,
 /// doubtful contact, or are chosen explicitly. Fills the report's stretches and counts. Frames are
 /// compared with others of near pose in the recording; the earlier reference reveals a persistent
 /// contact (contact_search.h). Errors: stopped; a contact at one position in most frames.
-Status exclude_contacts(RecordedVideo& video,
-                        const NumberedRecording& numbered,
-                        std::optional<EarlierReference>& earlier,
-                        const ReferenceChoices& choices,
-                        const Job& job,
-                        std::vector<std::size_t>& selected,
+Status exclude_contacts(RecordedVideo& video, const NumberedRecording& numbered,
+                        std::optional<EarlierReference>& earlier, const ReferenceChoices& choices,
+                        const Job& job, std::vector<std::size_t>& selected,
                         ReferenceReport& report) {
   const auto read = read_frames(video, numbered, earlier, selected, job);
   if (!read) return read.error();
@@ -338,8 +314,8 @@ Status exclude_contacts(RecordedVideo& video,
     report.rejected.push_back(en::at(en::say("frame {}", number),
                                      en::say("the two long edges of the face were not found")));
   if (earlier)
-    if (const auto touch = find_persistent_contact(
-            read->rows.patches, read->rows.modes, static_cast<int>(numbers.size())))
+    if (const auto touch = find_persistent_contact(read->rows.patches, read->rows.modes,
+                                                   static_cast<int>(numbers.size())))
       return refuse(*touch, numbers, report);
   FrameJudgements evidence = read->rows.first(numbers.size()).search();
   const bool is_unsure = is_mostly_contact(evidence, numbers, choices);
@@ -387,10 +363,8 @@ std::size_t frame_to_show(const RecordingPass& pass, const MadeReference& made) 
 }
 
 /// The contact's position; nullopt where the face is not found.
-std::optional<ProblemMark> mark_of(const ReferenceStretch& stretch,
-                                   const cv::Mat& grey,
-                                   const Camera& camera,
-                                   const Face& face) {
+std::optional<ProblemMark> mark_of(const ReferenceStretch& stretch, const cv::Mat& grey,
+                                   const Camera& camera, const Face& face) {
   const auto edges = FaceEdgeFinder({.view = FaceView{camera, face.width_mm}})(grey);
   if (!edges) return std::nullopt;
   constexpr int kDegree = 7;
@@ -400,18 +374,14 @@ std::optional<ProblemMark> mark_of(const ReferenceStretch& stretch,
     const FaceColumn& column = shape->columns()[static_cast<std::size_t>(u)];
     if (!column.valid || shape->length_at(u) < stretch.along_mm) continue;
     const double part = stretch.across_mm / face.width_mm;  // -0.5 at the upper edge
-    return ProblemMark{ProblemMark::Kind::kDarker,
-                       static_cast<double>(u),
+    return ProblemMark{ProblemMark::Kind::kDarker, static_cast<double>(u),
                        std::lerp(column.upper_v, column.lower_v, 0.5 + part),
-                       kTouchRadiusMm / camera.mm_per_px_at(column.z_mm),
-                       -1};
+                       kTouchRadiusMm / camera.mm_per_px_at(column.z_mm), -1};
   }
   return std::nullopt;
 }
 
-void add_dots(const RecordingPass& pass,
-              const NumberedRecording& numbered,
-              std::size_t frame,
+void add_dots(const RecordingPass& pass, const NumberedRecording& numbered, std::size_t frame,
               ProblemScene& scene) {
   const bool by_dots =
       !numbered.positions && frame < numbered.markers.size() && numbered.markers[frame];
@@ -419,9 +389,7 @@ void add_dots(const RecordingPass& pass,
     for (std::size_t m = 0; m < numbered.markers[frame]->size(); ++m) {
       const Marker& marker = (*numbered.markers[frame])[m];
       scene.marks.push_back({marker.seen ? ProblemMark::Kind::kUsed : ProblemMark::Kind::kExpected,
-                             marker.u,
-                             marker.v,
-                             numbered.typical[m].radius_px,
+                             marker.u, marker.v, numbered.typical[m].radius_px,
                              static_cast<int>(m)});
     }
   const bool is_dark = numbered.polarity == Polarity::kDark;
@@ -436,11 +404,8 @@ void add_dots(const RecordingPass& pass,
 /// With a contact: the frame in which it is darkest, and its position. Else the rest frame where it
 /// was numbered, or the first frame with a face, or any. Empty when no frame could be read. `made`:
 /// may be partly filled. `sentence`: the problem, in English.
-cv::Mat recording_problem(const RecordingPass& pass,
-                          const MadeReference& made,
-                          const Camera& camera,
-                          const Finger& finger,
-                          const std::string& sentence) {
+cv::Mat recording_problem(const RecordingPass& pass, const MadeReference& made,
+                          const Camera& camera, const Finger& finger, const std::string& sentence) {
   const ReferenceStretch* touch = darkest_stretch(pass, made.report);
   const std::size_t frame =
       touch ? static_cast<std::size_t>(touch->darkest) : frame_to_show(pass, made);
@@ -492,9 +457,7 @@ std::vector<std::size_t> numbered_frames(const RecordingPass& pass, MadeReferenc
 }
 
 Error too_few(const ReferenceReport& report, std::size_t selected) {
-  return {en::say("only {} of {} frames can be used ({})",
-                  selected,
-                  report.frames_read,
+  return {en::say("only {} of {} frames can be used ({})", selected, report.frames_read,
                   report.rejected.front()),
           en::say("recording"),
           en::say("record again with every marker in view and nothing on the contact face")};
@@ -510,8 +473,7 @@ double mm_per_part(const Finger& finger) {
 
 // Motion from the pair of dots nearest to the tip between which the face is visible in nearly all
 // frames, relative to the rest frame.
-void add_motion(const std::vector<const StudiedFrame*>& frames,
-                const StudiedFrame* rest,
+void add_motion(const std::vector<const StudiedFrame*>& frames, const StudiedFrame* rest,
                 MotionCoverage& coverage) {
   constexpr double kNearlyAll = 0.8;
   const std::size_t pairs = frames.empty() ? 0 : frames.front()->pairs.size();
@@ -537,18 +499,16 @@ std::optional<std::size_t> frame_nearest_to(const RestPose& pose,
     const auto& pairs = frames[i]->pairs;
     if (pose.pair >= pairs.size() || !pairs[pose.pair]) continue;
     const TipMotion off = motion_between(pose.pose, *pairs[pose.pair]);
-    const double apart = std::hypot(
-        off.bend_mm / need.bend_mm, off.sway_mm / need.sway_mm, off.twist_deg / need.twist_deg);
+    const double apart = std::hypot(off.bend_mm / need.bend_mm, off.sway_mm / need.sway_mm,
+                                    off.twist_deg / need.twist_deg);
     if (apart < least) least = apart, nearest = i;
   }
   return nearest;
 }
 
 // The requested frame, the one closest to the requested pose, or the middle one of those selected.
-Status choose_rest(const ReferenceChoices& choices,
-                   const std::vector<std::size_t>& selected,
-                   const std::vector<const StudiedFrame*>& frames,
-                   MadeReference& made) {
+Status choose_rest(const ReferenceChoices& choices, const std::vector<std::size_t>& selected,
+                   const std::vector<const StudiedFrame*>& frames, MadeReference& made) {
   std::optional<std::size_t> nearest;
   if (choices.rest_pose) nearest = frame_nearest_to(*choices.rest_pose, frames, choices.need);
   if (!nearest)
@@ -562,8 +522,7 @@ Status choose_rest(const ReferenceChoices& choices,
       const Message why =
           is_there ? made.numbered.problems[number] : en::say("the recording has no such frame");
       return Error{en::say("frame {} cannot be the rest pose: {}", *requested, why),
-                   en::say("recording"),
-                   en::say("another frame in which the finger rests")};
+                   en::say("recording"), en::say("another frame in which the finger rests")};
     }
     made.rest = number;
   }
@@ -572,28 +531,23 @@ Status choose_rest(const ReferenceChoices& choices,
 }
 
 // Finds contacts in the recording, excludes their frames, and evaluates the others.
-Status study(const fs::path& file,
-             const RecordingPass& pass,
-             const Camera& camera,
-             const Finger& finger,
-             const Job& job,
-             const ReferenceChoices& choices,
-             std::optional<EarlierReference>& earlier,
-             std::vector<std::size_t>& selected,
+Status study(const fs::path& file, const RecordingPass& pass, const Camera& camera,
+             const Finger& finger, const Job& job, const ReferenceChoices& choices,
+             std::optional<EarlierReference>& earlier, std::vector<std::size_t>& selected,
              MadeReference& made) {
   auto reader = VideoFile::open(file, job);
   if (!reader) return reader.error();
   const double frames_per_s = reader->frames_per_s();
   RecordedVideo video{pass, file, finger, camera, std::move(*reader)};
   ReferenceReport& report = made.report;
-  const Status left_out = exclude_contacts(
-      video, made.numbered, earlier, choices, Job(job, 0.0, 0.4), selected, report);
+  const Status left_out = exclude_contacts(video, made.numbered, earlier, choices,
+                                           Job(job, 0.0, 0.4), selected, report);
   if (!left_out) return left_out;
   if (selected.size() < 2) return {};
   const MarkerTable table = table_in_video(pass, made.numbered, selected);
   const RecordingFrameReader frame = [&](std::size_t number) { return video.frame(number); };
-  const auto library = ReferenceLibrary::from_frames(
-      {frame, pass.greys.size(), file, table}, finger, camera, Job(job, 0.4, 0.6));
+  const auto library = ReferenceLibrary::from_frames({frame, pass.greys.size(), file, table},
+                                                     finger, camera, Job(job, 0.4, 0.6));
   if (!library) return library.error();
   std::vector<std::size_t> of_library;  // by the library's index, the number in the recording
   std::vector<Markers> markers;
@@ -674,25 +628,20 @@ Finger with_markers(const Finger& finger, const NumberedRecording& numbered) {
   return described;
 }
 
-Status make_reference(Source& source,
-                      const Camera& camera,
-                      const Finger& finger,
-                      const Job& job,
-                      const ReferenceChoices& choices,
-                      const fs::path& folder,
-                      const fs::path& video,
-                      MadeReference& made) {
+Status make_reference(Source& source, const Camera& camera, const Finger& finger, const Job& job,
+                      const ReferenceChoices& choices, const fs::path& folder,
+                      const fs::path& video, MadeReference& made) {
   const auto pass = read_recording(source, camera, finger, Job(job, 0.0, 0.5), video);
   if (!pass) return pass.error();
   made.settings = pass->settings;
   ReferenceReport& report = made.report;
   report.frames_read = static_cast<int>(pass->frames.size());
   if (pass->frames.size() < 2)
-    return Error{en::count("the recording holds {} frames; at least 2 are needed",
-                           "the recording holds {} frame; at least 2 are needed",
-                           pass->frames.size()),
-                 en::say("recording"),
-                 en::say("record the finger while it bends slowly in every direction, untouched")};
+    return Error{
+        en::count("the recording holds {} frames; at least 2 are needed",
+                  "the recording holds {} frame; at least 2 are needed", pass->frames.size()),
+        en::say("recording"),
+        en::say("record the finger while it bends slowly in every direction, untouched")};
   job.report(0.5, en::say("numbering the markers"));
   const auto draw = [&](const std::string& sentence) {
     return recording_problem(*pass, made, camera, finger, sentence);
@@ -709,21 +658,13 @@ Status make_reference(Source& source,
   if (selected.size() < 2) return refuse(too_few(report, selected.size()));
   std::erase_if(selected, [&](std::size_t frame) { return is_in(choices.leave_out, frame); });
   if (selected.size() < 2)
-    return Error{en::say("only {} frames are left to use", selected.size()),
-                 en::say("recording"),
+    return Error{en::say("only {} frames are left to use", selected.size()), en::say("recording"),
                  en::say("leave out fewer frames")};
   std::optional<EarlierReference> earlier;
   if (!choices.skin_was_changed)
     earlier = EarlierReference::open(folder, finger, made.numbered, job);
-  const Status studied = study(video,
-                               *pass,
-                               camera,
-                               with_markers(finger, made.numbered),
-                               Job(job, 0.5, 0.9),
-                               choices,
-                               earlier,
-                               selected,
-                               made);
+  const Status studied = study(video, *pass, camera, with_markers(finger, made.numbered),
+                               Job(job, 0.5, 0.9), choices, earlier, selected, made);
   if (!studied) {
     // The stretches found are part of the refusal.
     if (!report.stretches.empty()) return refuse(studied.error());

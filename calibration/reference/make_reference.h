@@ -36,13 +36,9 @@ struct MadeReference {
 /// Fills `video` with the retained frames and `made` with their data. made.report holds the
 /// required motion at the call. folder: the finger's, with its earlier reference. Errors: those of
 /// install_reference() except the folder's.
-[[nodiscard]] Status make_reference(Source& source,
-                                    const Camera& camera,
-                                    const Finger& finger,
-                                    const Job& job,
-                                    const ReferenceChoices& choices,
+[[nodiscard]] Status make_reference(Source& source, const Camera& camera, const Finger& finger,
+                                    const Job& job, const ReferenceChoices& choices,
                                     const std::filesystem::path& folder,
-                                    const std::filesystem::path& video,
-                                    MadeReference& made);
+                                    const std::filesystem::path& video, MadeReference& made);
 
 }  // namespace alltact

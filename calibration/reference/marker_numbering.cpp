@@ -28,9 +28,8 @@ std::vector<int> nodes_of(int marker, const std::vector<int>& missing, int per_r
   std::vector<int> nodes;
   for (int m = first; m < first + per_row; ++m)
     if (!std::binary_search(missing.begin(), missing.end(), m)) nodes.push_back(m);
-  std::stable_sort(nodes.begin(), nodes.end(), [marker](int a, int b) {
-    return std::abs(a - marker) < std::abs(b - marker);
-  });
+  std::stable_sort(nodes.begin(), nodes.end(),
+                   [marker](int a, int b) { return std::abs(a - marker) < std::abs(b - marker); });
   if (nodes.size() > kNodes) nodes.resize(kNodes);
   return nodes;
 }
@@ -39,10 +38,8 @@ std::vector<int> nodes_of(int marker, const std::vector<int>& missing, int per_r
 /// parabola through up to three existing markers of its row, nearest by number. A row of fewer than
 /// two uses those of the other side. The same markers are used in every layout; an invisible one
 /// (NaN) leaves the missing marker NaN.
-void interpolate_missing(const std::vector<int>& missing,
-                         const MirroredPosition& mirrored,
-                         Eigen::MatrixXd& layouts,
-                         Eigen::Index row) {
+void interpolate_missing(const std::vector<int>& missing, const MirroredPosition& mirrored,
+                         Eigen::MatrixXd& layouts, Eigen::Index row) {
   const int per_row = static_cast<int>(layouts.cols() / 4);
   for (const int marker : missing) {
     std::vector<int> nodes = nodes_of(marker, missing, per_row);
@@ -93,10 +90,8 @@ std::vector<std::size_t> followed_frames(const std::vector<FrameDots>& frames) {
   return followed;
 }
 
-Rows find_rows(const std::vector<FrameDots>& frames,
-               const std::vector<std::size_t>& followed,
-               Polarity polarity,
-               int per_row) {
+Rows find_rows(const std::vector<FrameDots>& frames, const std::vector<std::size_t>& followed,
+               Polarity polarity, int per_row) {
   std::vector<FrameOfDots> dots_in;
   for (const std::size_t i : followed)
     dots_in.push_back({&dots_of(frames[i], polarity), &frames[i].curves});
@@ -119,9 +114,7 @@ Rows find_rows(const std::vector<FrameDots>& frames,
   return rows;
 }
 
-bool is_seen(const Dot& dot) {
-  return dot.contrast != 0;
-}
+bool is_seen(const Dot& dot) { return dot.contrast != 0; }
 
 // Typical appearance of each number; a missing one takes that of its row.
 std::vector<Dot> typical_of(const Rows& rows) {
@@ -140,12 +133,9 @@ std::vector<Dot> typical_of(const Rows& rows) {
         std::binary_search(rows.missing.begin(), rows.missing.end(), static_cast<int>(m));
     if (is_missing) first = m / per_row * per_row, last = first + per_row;
     if (is_missing && middle_of(&Dot::contrast, first, last) == 0) first = 0, last = typical.size();
-    typical[m] = {middle_of(&Dot::u, first, last),
-                  middle_of(&Dot::v, first, last),
-                  middle_of(&Dot::radius_px, first, last),
-                  middle_of(&Dot::contrast, first, last),
-                  middle_of(&Dot::sd_px, first, last),
-                  2 * m < typical.size()};
+    typical[m] = {middle_of(&Dot::u, first, last),         middle_of(&Dot::v, first, last),
+                  middle_of(&Dot::radius_px, first, last), middle_of(&Dot::contrast, first, last),
+                  middle_of(&Dot::sd_px, first, last),     2 * m < typical.size()};
   }
   return typical;
 }
@@ -167,8 +157,8 @@ void drop_inconsistent(const std::vector<Dot>& typical, Rows& rows) {
 Eigen::MatrixXd layouts_of(const Rows& rows) {
   const std::size_t count = rows.seen.front().size();
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-  Eigen::MatrixXd layouts = Eigen::MatrixXd::Constant(
-      static_cast<Eigen::Index>(rows.seen.size()), static_cast<Eigen::Index>(2 * count), kNaN);
+  Eigen::MatrixXd layouts = Eigen::MatrixXd::Constant(static_cast<Eigen::Index>(rows.seen.size()),
+                                                      static_cast<Eigen::Index>(2 * count), kNaN);
   for (std::size_t i = 0; i < rows.seen.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(i);
     for (std::size_t m = 0; m < count; ++m)
@@ -199,14 +189,10 @@ Message too_few_dots(const std::vector<FrameDots>& frames, Polarity polarity, in
   return en::say(
       "a frame shows {} dots on the upper and {} on the lower side face (median of {} frames), but "
       "no two rows of up to {} with fixed positions on the finger",
-      above,
-      below,
-      upper.size(),
-      per_row);
+      above, below, upper.size(), per_row);
 }
 
-void number_all(const std::vector<FrameDots>& frames,
-                const MarkerModel& model,
+void number_all(const std::vector<FrameDots>& frames, const MarkerModel& model,
                 NumberedRecording& out) {
   out.markers.assign(frames.size(), std::nullopt);
   out.problems.assign(frames.size(), {});
@@ -219,8 +205,7 @@ void number_all(const std::vector<FrameDots>& frames,
     auto markers = model.number(dots);
     if (!markers) {
       out.problems[i] = en::say("{} dots were found but they fit no pose of the {} markers",
-                                dots.size(),
-                                model.present_count());
+                                dots.size(), model.present_count());
     } else if (2 * seen_count(*markers) < model.present_count()) {
       out.problems[i] =
           en::say("only {} of {} markers found", seen_count(*markers), model.present_count());
@@ -254,8 +239,7 @@ Result<MarkerModel> learn_again(const NumberedRecording& numbered) {
 }
 
 // False with the reason in out.no_markers: there are no usable markers.
-bool number_by_dots(const std::vector<FrameDots>& frames,
-                    const MarkerRows& requested,
+bool number_by_dots(const std::vector<FrameDots>& frames, const MarkerRows& requested,
                     NumberedRecording& out) {
   const auto followed = followed_frames(frames);
   Rows rows;
@@ -289,8 +273,8 @@ bool number_by_dots(const std::vector<FrameDots>& frames,
     number_all(frames, *model, out);
   }
   out.marker_noise_px = model->noise_px();
-  const auto numbered = std::count_if(
-      out.markers.begin(), out.markers.end(), [](const auto& m) { return m.has_value(); });
+  const auto numbered = std::count_if(out.markers.begin(), out.markers.end(),
+                                      [](const auto& m) { return m.has_value(); });
   if (numbered >= 2) return true;
   out.no_markers = too_few_dots(frames, out.polarity, requested.per_row);
   return false;
@@ -408,9 +392,7 @@ std::vector<Link> tree_of(const std::vector<FrameOfDots>& frames) {
   return links;
 }
 
-double log_size(const Dot& dot) {
-  return std::log(dot.radius_px / std::max(1.0, dot.face_px));
-}
+double log_size(const Dot& dot) { return std::log(dot.radius_px / std::max(1.0, dot.face_px)); }
 
 /// A track during tracking.
 struct Followed {
@@ -458,10 +440,8 @@ class Follower {
 
   [[nodiscard]] std::vector<Pair> pairs(const std::vector<std::size_t>& side,
                                         const std::vector<FacePosition>& expected,
-                                        const std::vector<Dot>& dots,
-                                        const FaceOfFrame& face,
-                                        bool upper,
-                                        double gate_mm) const {
+                                        const std::vector<Dot>& dots, const FaceOfFrame& face,
+                                        bool upper, double gate_mm) const {
     std::vector<Pair> all;
     for (std::size_t k = 0; k < side.size(); ++k) {
       const Followed& track = tracks_[side[k]];
@@ -496,8 +476,7 @@ class Follower {
   /// Least squares over the pairs without outlying displacements.
   static SideMotion motion_of(const std::vector<Pair>& pairs,
                               const std::vector<FacePosition>& expected,
-                              const std::vector<Dot>& dots,
-                              const FaceOfFrame& face) {
+                              const std::vector<Dot>& dots, const FaceOfFrame& face) {
     SideMotion motion;
     if (pairs.empty()) return motion;
     std::vector<double> along, off;
@@ -612,9 +591,8 @@ std::vector<DotTrack> track_dots(const std::vector<FrameOfDots>& frames, double 
     if (followed.found < min_support * static_cast<double>(frames.size())) continue;
     tracks.push_back(summary_of(std::move(followed), frames));
   }
-  std::stable_sort(tracks.begin(), tracks.end(), [](const DotTrack& a, const DotTrack& b) {
-    return a.along_mm < b.along_mm;
-  });
+  std::stable_sort(tracks.begin(), tracks.end(),
+                   [](const DotTrack& a, const DotTrack& b) { return a.along_mm < b.along_mm; });
   return tracks;
 }
 
@@ -632,9 +610,7 @@ constexpr double kUnlikeSd = 0.2;  // of one side's growth against the other's
 constexpr double kMinStepMm = 0.2;
 constexpr double kNone = -std::numeric_limits<double>::infinity();
 
-double square(double x) {
-  return x * x;
-}
+double square(double x) { return x * x; }
 
 /// One row: its tracks by slot, counted from its first dot.
 struct Row {
@@ -751,9 +727,7 @@ class RowSearch {
 constexpr double kLawStep = 0.04;
 constexpr int kLaws = 12;  // to each side of the even one
 
-double growth_of(int law) {
-  return kLawStep * (law - kLaws);
-}
+double growth_of(int law) { return kLawStep * (law - kLaws); }
 
 /// The best row of one side for each law.
 std::vector<Row> rows_by_law(const std::vector<DotTrack>& tracks, bool upper, int per_row) {
@@ -791,11 +765,8 @@ std::pair<Row, Row> best_rows(const std::vector<DotTrack>& tracks, int per_row) 
 }
 
 /// Score of the alignment of both rows when they begin at these numbers.
-double symmetry(const std::vector<DotTrack>& tracks,
-                const Row& upper,
-                int first_upper,
-                const Row& lower,
-                int first_lower) {
+double symmetry(const std::vector<DotTrack>& tracks, const Row& upper, int first_upper,
+                const Row& lower, int first_lower) {
   const auto& a = upper.track_of;
   const auto& b = lower.track_of;
   const auto along = [&](int track) { return tracks[static_cast<std::size_t>(track)].along_mm; };

@@ -41,8 +41,8 @@ std::optional<TipPose> tip_pose(const Markers& markers, std::size_t pair, const 
   const FaceColumn& face = shape.columns()[static_cast<std::size_t>(column)];
   const auto local = shape.at(u, 0.5 * (face.upper_v + face.lower_v));
   if (!local) return std::nullopt;
-  return TipPose{
-      local->view_point_mm, local->normal, std::atan2(upper.u - lower.u, lower.v - upper.v)};
+  return TipPose{local->view_point_mm, local->normal,
+                 std::atan2(upper.u - lower.u, lower.v - upper.v)};
 }
 
 TipMotion motion_between(const TipPose& rest, const TipPose& now) {
@@ -109,10 +109,9 @@ bool BendState::is_required(BendDirection direction) const {
   const auto reached_in = [this](BendDirection one) {
     return reached[static_cast<std::size_t>(one)];
   };
-  const double bent = std::min({reached_in(BendDirection::kAway),
-                                reached_in(BendDirection::kTowards),
-                                reached_in(BendDirection::kUp),
-                                reached_in(BendDirection::kDown)});
+  const double bent =
+      std::min({reached_in(BendDirection::kAway), reached_in(BendDirection::kTowards),
+                reached_in(BendDirection::kUp), reached_in(BendDirection::kDown)});
   const double twisted =
       std::max(reached_in(BendDirection::kTwistRight), reached_in(BendDirection::kTwistLeft));
   return bent < 1 || twisted >= kHardly;
@@ -200,8 +199,7 @@ void BendCoverage::choose_rest() {
 
 TipMotion BendCoverage::motion_of(const TipPose& pose) const {
   const TipMotion motion = motion_between(*rest_, pose);
-  return {motion.bend_mm - middle_.bend_mm,
-          motion.sway_mm - middle_.sway_mm,
+  return {motion.bend_mm - middle_.bend_mm, motion.sway_mm - middle_.sway_mm,
           motion.twist_deg - middle_.twist_deg};
 }
 
@@ -258,10 +256,8 @@ std::vector<Section> sections_of(const FaceShape& shape) {
     const auto rows = shape.rows(u, 0);
     const auto upper = shape.at(u, rows.first), lower = shape.at(u, rows.last);
     if (rows.first >= rows.last || !upper || !lower || !(length > 0)) continue;
-    sections.push_back({upper->view_point_mm,
-                        lower->view_point_mm,
-                        (upper->normal + lower->normal).normalized(),
-                        shape.length_at(u) / length});
+    sections.push_back({upper->view_point_mm, lower->view_point_mm,
+                        (upper->normal + lower->normal).normalized(), shape.length_at(u) / length});
   }
   return sections;
 }

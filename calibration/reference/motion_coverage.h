@@ -34,8 +34,7 @@ struct RestPose {
 };
 
 /// pair: 0 at the base to n - 1 at the tip. nullopt where the face is not visible between the dots.
-[[nodiscard]] std::optional<TipPose> tip_pose(const Markers& markers,
-                                              std::size_t pair,
+[[nodiscard]] std::optional<TipPose> tip_pose(const Markers& markers, std::size_t pair,
                                               const FaceShape& shape);
 [[nodiscard]] TipMotion motion_between(const TipPose& rest, const TipPose& now);
 

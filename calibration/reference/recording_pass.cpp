@@ -68,19 +68,16 @@ FrameDots analyse(const cv::Mat& grey, const Camera& camera, const Finger& finge
 
 }  // namespace
 
-Result<RecordingPass> read_recording(Source& source,
-                                     const Camera& camera,
-                                     const Finger& finger,
-                                     const Job& job,
-                                     const fs::path& video) {
+Result<RecordingPass> read_recording(Source& source, const Camera& camera, const Finger& finger,
+                                     const Job& job, const fs::path& video) {
   RecordingPass pass;
   ReferenceVideo writer(video, source.frames_per_s());
   const auto total = source.count();
   std::size_t cached_bytes = 0;
   for (;;) {
     if (job.stop_requested())
-      return Error{
-          en::say("stopped before the recording was read"), video.parent_path().string(), ""};
+      return Error{en::say("stopped before the recording was read"), video.parent_path().string(),
+                   ""};
     const auto frame = source.next();
     if (frame && !*frame) break;
     const std::size_t number = pass.frames.size();
@@ -96,9 +93,7 @@ Result<RecordingPass> read_recording(Source& source,
       continue;
     }
     const auto grey = oriented_for(
-        finger.camera,
-        (*frame)->grey,
-        en::say("the image"),
+        finger.camera, (*frame)->grey, en::say("the image"),
         (*frame)->origin.empty() ? (*frame)->name : (*frame)->origin,
         en::say("a recording from this finger's camera, or the right camera.size and orientation"));
     if (!grey) return grey.error();
@@ -122,8 +117,8 @@ Status retain_frames(const fs::path& video, const std::vector<char>& keep, const
   std::error_code problem;
   fs::rename(video, full, problem);
   if (problem)
-    return Error{
-        en::say("the recording cannot be renamed: {}", problem.message()), video.string(), ""};
+    return Error{en::say("the recording cannot be renamed: {}", problem.message()), video.string(),
+                 ""};
   struct Remove {
     const fs::path& file;
     ~Remove() {
@@ -167,16 +162,14 @@ MarkerTable table_of(const NumberedRecording& numbered, const std::vector<std::s
   return table;
 }
 
-MarkerTable table_in_video(const RecordingPass& pass,
-                           const NumberedRecording& numbered,
+MarkerTable table_in_video(const RecordingPass& pass, const NumberedRecording& numbered,
                            const std::vector<std::size_t>& selected) {
   MarkerTable table = table_of(numbered, selected);
   for (std::size_t i = 0; i < selected.size(); ++i) table.frames[i] = pass.in_video[selected[i]];
   return table;
 }
 
-Result<cv::Mat> oriented_frame(VideoFile& video,
-                               std::size_t number,
+Result<cv::Mat> oriented_frame(VideoFile& video, std::size_t number,
                                const CameraParameters& camera) {
   const auto read = video.frame(number);
   if (!read) return read.error();
@@ -202,8 +195,7 @@ struct AnalysedFrame {
   double noise_sd;
 };
 
-std::optional<AnalysedFrame> analyse_frame(const cv::Mat& grey,
-                                           const Camera& camera,
+std::optional<AnalysedFrame> analyse_frame(const cv::Mat& grey, const Camera& camera,
                                            const Finger& finger) {
   const auto edges = FaceEdgeFinder({.view = FaceView{camera, finger.face.width_mm}})(grey);
   if (!edges) return std::nullopt;
@@ -282,8 +274,7 @@ class Study {
   }
 
  private:
-  [[nodiscard]] std::optional<Patches> compare(std::size_t index,
-                                               const AnalysedFrame& analysed,
+  [[nodiscard]] std::optional<Patches> compare(std::size_t index, const AnalysedFrame& analysed,
                                                ReferenceMethod method,
                                                const std::vector<char>& without) const {
     const Reference reference =
@@ -326,11 +317,8 @@ double quantile_of(std::vector<double> values, double part) {
 
 Result<RecordingStudy> study_recording(const ReferenceLibrary& library,
                                        const std::vector<Markers>& numbered,
-                                       const RecordingFrameReader& frame,
-                                       double frames_per_s,
-                                       const Finger& finger,
-                                       const Camera& camera,
-                                       const Job& job) {
+                                       const RecordingFrameReader& frame, double frames_per_s,
+                                       const Finger& finger, const Camera& camera, const Job& job) {
   const std::size_t count = library.frame_count();
   const Study study(library, numbered, frames_per_s);
   RecordingStudy result;

@@ -35,16 +35,13 @@ struct RecordingPass {
 /// Reads the source to its end, writes every readable frame to `video` (lossless grey, as from the
 /// source) and finds dots. Errors: a wrong size; a source that fails permanently; the video cannot
 /// be written; a stopped job.
-[[nodiscard]] Result<RecordingPass> read_recording(Source& source,
-                                                   const Camera& camera,
-                                                   const Finger& finger,
-                                                   const Job& job,
+[[nodiscard]] Result<RecordingPass> read_recording(Source& source, const Camera& camera,
+                                                   const Finger& finger, const Job& job,
                                                    const std::filesystem::path& video);
 
 /// Rewrites the video with only some of its frames, in order. keep: by frame.
 [[nodiscard]] Status retain_frames(const std::filesystem::path& video,
-                                   const std::vector<char>& keep,
-                                   const Job& job);
+                                   const std::vector<char>& keep, const Job& job);
 
 // Frames of a recording that was just written, by their number in it, and their marker positions.
 
@@ -57,8 +54,7 @@ struct RecordingPass {
                                          const std::vector<std::size_t>& selected);
 
 /// Frame `number` of a video, CV_8UC1, oriented as the camera.
-[[nodiscard]] Result<cv::Mat> oriented_frame(VideoFile& video,
-                                             std::size_t number,
+[[nodiscard]] Result<cv::Mat> oriented_frame(VideoFile& video, std::size_t number,
                                              const CameraParameters& camera);
 
 /// The referenced objects must outlive this.
@@ -98,9 +94,7 @@ struct RecordingStudy {
 [[nodiscard]] Result<RecordingStudy> study_recording(const ReferenceLibrary& library,
                                                      const std::vector<Markers>& numbered,
                                                      const RecordingFrameReader& frame,
-                                                     double frames_per_s,
-                                                     const Finger& finger,
-                                                     const Camera& camera,
-                                                     const Job& job);
+                                                     double frames_per_s, const Finger& finger,
+                                                     const Camera& camera, const Job& job);
 
 }  // namespace alltact

@@ -35,8 +35,7 @@ void remark(const MarkerTable& table, ReferenceReport& report) {
     report.remarks.push_back(
         en::say("{} marker positions in {} frames are estimates, because the markers were "
                 "covered or not found",
-                estimated,
-                report.frames_retained));
+                estimated, report.frames_retained));
   if (report.uncompared > 0)
     report.remarks.push_back(
         en::say("{} frames show poses that occur at no other time; it is unknown whether something "
@@ -62,20 +61,15 @@ bool write_problem(const fs::path& folder, const cv::Mat& problem) {
 }  // namespace
 
 bool is_in(const std::vector<FrameRange>& ranges, std::size_t frame) {
-  return std::any_of(ranges.begin(), ranges.end(), [&](const FrameRange& range) {
-    return range.holds(static_cast<int>(frame));
-  });
+  return std::any_of(ranges.begin(), ranges.end(),
+                     [&](const FrameRange& range) { return range.holds(static_cast<int>(frame)); });
 }
 
-Result<ReferenceReport> install_reference(Source& source,
-                                          const fs::path& folder,
-                                          Finger& finger,
-                                          const Job& job,
-                                          const ReferenceChoices& choices,
+Result<ReferenceReport> install_reference(Source& source, const fs::path& folder, Finger& finger,
+                                          const Job& job, const ReferenceChoices& choices,
                                           const fs::path& into) {
   if (finger.face.kind != FaceKind::kFinRay)
-    return Error{en::say("this finger has no markers to record a reference with"),
-                 folder.string(),
+    return Error{en::say("this finger has no markers to record a reference with"), folder.string(),
                  en::say("a flat sensor needs one untouched image")};
   const auto camera = Camera::create(finger.camera);
   if (!camera) return camera.error();
@@ -91,8 +85,7 @@ Result<ReferenceReport> install_reference(Source& source,
         } catch (const std::exception& problem) {
           return Error{
               en::say("the recording could not be processed ({})", std::string(problem.what())),
-              folder.string(),
-              ""};
+              folder.string(), ""};
         }
       });
   const bool is_drawn = write_problem(folder, made.problem);
@@ -124,18 +117,13 @@ Result<ReferenceReport> install_reference(Source& source,
 }
 
 Result<std::vector<Message>> install_flat_reference(const UntouchedImage& image,
-                                                    const fs::path& folder,
-                                                    Finger& finger) {
+                                                    const fs::path& folder, Finger& finger) {
   if (finger.face.kind != FaceKind::kFlat)
     return Error{en::say("only a flat sensor uses one untouched image as its reference"),
-                 image.origin,
-                 en::say("a recording of the bending, untouched finger")};
+                 image.origin, en::say("a recording of the bending, untouched finger")};
   const auto camera = Camera::create(finger.camera);
   if (!camera) return camera.error();
-  const auto fitting = oriented_for(finger.camera,
-                                    image.grey,
-                                    en::say("the image"),
-                                    image.origin,
+  const auto fitting = oriented_for(finger.camera, image.grey, en::say("the image"), image.origin,
                                     en::say("an untouched image taken with this sensor's camera"));
   if (!fitting) return fitting.error();
   constexpr const char* kImage = "reference.png";
@@ -197,8 +185,7 @@ bool has_same_reference(const Finger& a, const Finger& b) {
 
 Result<ReferenceReport> set_reference(const std::filesystem::path& folder,
                                       const std::vector<std::filesystem::path>& inputs,
-                                      const Job& job,
-                                      const ReferenceChoices& choices) {
+                                      const Job& job, const ReferenceChoices& choices) {
   const auto store = FingerStore::of(folder);
   const auto before = store->snapshot();
   if (!before) return before.error();
@@ -231,12 +218,11 @@ Status copy_reference(const std::filesystem::path& copy, const std::filesystem::
         files->staged() / name, [&](const std::filesystem::path& temporary) -> Status {
           const DiskWait waiting(folder / name);
           std::error_code failed;
-          std::filesystem::copy_file(
-              copy / name, temporary, std::filesystem::copy_options::overwrite_existing, failed);
+          std::filesystem::copy_file(copy / name, temporary,
+                                     std::filesystem::copy_options::overwrite_existing, failed);
           if (!failed) return {};
           return Error{en::say("the finger could not be copied: {}", failed.message()),
-                       (copy / name).string(),
-                       ""};
+                       (copy / name).string(), ""};
         });
     if (!copied) return copied;
   }
@@ -269,8 +255,7 @@ std::string stored(const Finger& finger, const char* key) {
 
 }  // namespace
 
-std::vector<Message> record_settings(const SettingsMonitor& seen,
-                                     RecordingKind kind,
+std::vector<Message> record_settings(const SettingsMonitor& seen, RecordingKind kind,
                                      Finger& finger) {
   const bool is_reference = kind == RecordingKind::kReference;
   const char* key = is_reference ? kReferenceSettings : kPressSettings;
@@ -281,17 +266,14 @@ std::vector<Message> record_settings(const SettingsMonitor& seen,
     warnings.push_back(
         en::say("The {} was taken with changing settings of camera or light: {}. Lock them, and "
                 "record it again.",
-                taken,
-                seen.change()));
+                taken, seen.change()));
   const Message other =
       differences(stored(finger, is_reference ? kPressSettings : kReferenceSettings), seen.first());
   if (!other.empty())
     warnings.push_back(
         en::say("The {} and the {} were taken with different settings: {}. Depth comes from "
                 "comparing their brightness: record one of them again.",
-                is_reference ? reference : presses,
-                is_reference ? presses : reference,
-                other));
+                is_reference ? reference : presses, is_reference ? presses : reference, other));
   if (seen.first().empty()) {
     finger.provenance.erase(key);
   } else {

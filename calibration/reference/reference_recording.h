@@ -102,8 +102,7 @@ inline constexpr const char* kReferenceProblem = "reference.problem.png";
 /// of the time.
 [[nodiscard]] Result<ReferenceReport> install_reference(Source& source,
                                                         const std::filesystem::path& folder,
-                                                        Finger& finger,
-                                                        const Job& job,
+                                                        Finger& finger, const Job& job,
                                                         const ReferenceChoices& choices = {},
                                                         const std::filesystem::path& into = {});
 
@@ -126,10 +125,8 @@ struct UntouchedImage {
 /// parts of the finger are preserved. Errors: those of open_source, install_reference and
 /// FingerStore::update; another process works on the finger (FingerStore::lock_for_work).
 [[nodiscard]] Result<ReferenceReport> set_reference(
-    const std::filesystem::path& folder,
-    const std::vector<std::filesystem::path>& inputs,
-    const Job& job,
-    const ReferenceChoices& choices = {});
+    const std::filesystem::path& folder, const std::vector<std::filesystem::path>& inputs,
+    const Job& job, const ReferenceChoices& choices = {});
 
 /// Copies the result of set_reference() on a copy of the finger into the finger: the same bytes,
 /// without the computation. Errors: the copy has no reference, or its files cannot be read; those
@@ -164,8 +161,7 @@ enum class RecordingKind { kReference = 1, kPresses };
 /// Writes the settings of camera and light to provenance (reference_settings or press_settings), or
 /// removes them when the images have none. Returns a sentence where settings changed during the
 /// recording, and where reference and presses differ: brightness is compared between them.
-[[nodiscard]] std::vector<Message> record_settings(const SettingsMonitor& seen,
-                                                   RecordingKind kind,
+[[nodiscard]] std::vector<Message> record_settings(const SettingsMonitor& seen, RecordingKind kind,
                                                    Finger& finger);
 
 /// A sentence where a frame's settings differ from those of the finger's calibration presses (of

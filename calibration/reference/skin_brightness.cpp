@@ -64,10 +64,8 @@ Shown shown_of(const FaceGrid& grid, const FaceImage& face) {
 
 }  // namespace
 
-SkinPatches skin_patches(const FaceGrid& grid,
-                         const std::vector<FaceImage>& faces,
-                         double face_width_mm,
-                         double patch_mm) {
+SkinPatches skin_patches(const FaceGrid& grid, const std::vector<FaceImage>& faces,
+                         double face_width_mm, double patch_mm) {
   SkinPatches patches;
   patches.along_mm = patch_mm;
   patches.width_mm = face_width_mm;
@@ -335,11 +333,9 @@ PatchValues PoseBrightness::residuals() const {
   return left;
 }
 
-DeletedResiduals deleted_residuals(const PatchValues& residuals,
-                                   const Eigen::MatrixXd& terms,
+DeletedResiduals deleted_residuals(const PatchValues& residuals, const Eigen::MatrixXd& terms,
                                    const std::vector<char>& without,
-                                   const std::vector<int>& numbers,
-                                   int gap) {
+                                   const std::vector<int>& numbers, int gap) {
   const Eigen::Index frames = residuals.rows(), count = terms.cols();
   std::vector<Eigen::Index> rows;
   for (Eigen::Index i = 0; i < frames; ++i)

@@ -38,10 +38,8 @@ struct SkinPatches {
 
 /// Averages every recorded face over the patches of its grid. Patches are `patch_mm` long and about
 /// as wide; those of fewer than 2 pixels of the grid stay empty.
-[[nodiscard]] SkinPatches skin_patches(const FaceGrid& grid,
-                                       const std::vector<FaceImage>& faces,
-                                       double face_width_mm,
-                                       double patch_mm = 1.0);
+[[nodiscard]] SkinPatches skin_patches(const FaceGrid& grid, const std::vector<FaceImage>& faces,
+                                       double face_width_mm, double patch_mm = 1.0);
 
 // Brightness of each patch of untouched skin in every pose of a recording, as a smooth function of
 // the finger's modes.
@@ -111,7 +109,6 @@ struct DeletedResiduals {
 [[nodiscard]] DeletedResiduals deleted_residuals(const PatchValues& residuals,
                                                  const Eigen::MatrixXd& terms,
                                                  const std::vector<char>& without,
-                                                 const std::vector<int>& numbers,
-                                                 int gap);
+                                                 const std::vector<int>& numbers, int gap);
 
 }  // namespace alltact

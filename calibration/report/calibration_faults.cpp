@@ -32,18 +32,16 @@ std::vector<Message> fault_signs(const std::vector<PressSign>& presses) {
         en::say("the untouched face is {:.1f} % {} in all presses than in the reference: light, "
                 "exposure or gain has changed in between; the depth is corrected for smooth "
                 "changes, but let the lamps warm up and record the reference again",
-                100 * std::abs(mean),
-                how));
+                100 * std::abs(mean), how));
   }
-  const auto unknown = std::count_if(
-      presses.begin(), presses.end(), [](const PressSign& press) { return !press.known_pose; });
+  const auto unknown = std::count_if(presses.begin(), presses.end(),
+                                     [](const PressSign& press) { return !press.known_pose; });
   if (2 * unknown > static_cast<std::ptrdiff_t>(presses.size()))
     signs.push_back(
         en::say("in {} of {} presses the finger has a bend that the reference recording does not "
                 "contain, or it has moved in its mount since: record a reference that bends as "
                 "far, or press with less bending",
-                unknown,
-                presses.size()));
+                unknown, presses.size()));
   return signs;
 }
 
@@ -65,8 +63,7 @@ std::string scene_text(Fault fault, bool pressed) {
       "  camera: {{model: orthographic, size: [240, 180], mm_per_px: 0.1, cx: 119.5, cy: 89.5}}\n"
       "  face: {{kind: flat, layer_mm: 1.5, plane_z_mm: 30.0}}\n"
       "effects:\n",
-      pressed ? "presses" : "reference",
-      pressed ? 4 : 1);
+      pressed ? "presses" : "reference", pressed ? 4 : 1);
   if (pressed) {
     const bool loose = fault == Fault::kLooseSkin;
     text += fmt::format(
@@ -77,9 +74,7 @@ std::string scene_text(Fault fault, bool pressed) {
         "    depth_mm: [0.9, 0.5, 1.1, 0.7]\n"
         "  - {{use: rolloff, kind: hertz, length_mm: {}}}\n"
         "  - {{use: bulge, share: {}, width_mm: 1.2}}\n",
-        kBallRadiusMm,
-        loose ? 1.6 : 0.6,
-        loose ? 0.15 : 0.03);
+        kBallRadiusMm, loose ? 1.6 : 0.6, loose ? 0.15 : 0.03);
   }
   const double light = fault == Fault::kOtherLight && pressed ? kMoreLight : 1.0;
   return text + fmt::format(
@@ -90,8 +85,7 @@ std::string scene_text(Fault fault, bool pressed) {
                     "      - {{at_mm: [20.0, 0.0, 0.0], power: {}}}\n"
                     "  - {{use: read, sd: 1.0}}\n"
                     "  - {{use: quantisation}}\n",
-                    260000.0 * light,
-                    160000.0 * light);
+                    260000.0 * light, 160000.0 * light);
 }
 
 Result<Plan> plan_of(Fault fault, bool pressed, std::uint64_t seed) {
@@ -112,10 +106,8 @@ cv::Mat with_fault(cv::Mat image, Fault fault, int frame) {
 
 }  // namespace
 
-Result<SimulatedCalibration> simulate_calibration(Fault fault,
-                                                  std::uint64_t seed,
-                                                  bool correct_light,
-                                                  const Job& job) {
+Result<SimulatedCalibration> simulate_calibration(Fault fault, std::uint64_t seed,
+                                                  bool correct_light, const Job& job) {
   const auto untouched = plan_of(fault, false, seed);
   if (!untouched) return untouched.error();
   const auto pressed = plan_of(fault, true, seed);

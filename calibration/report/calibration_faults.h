@@ -58,9 +58,7 @@ struct SimulatedCalibration {
 /// Four presses of a 4 mm ball on a small flat sensor (240 x 180 px, 0.1 mm a pixel), through the
 /// same pipeline and calibration as real ones. correct_light: the pipeline's default; without it
 /// the fault shows uncorrected. About 0.1 s. Errors: the job was stopped.
-[[nodiscard]] Result<SimulatedCalibration> simulate_calibration(Fault fault,
-                                                                std::uint64_t seed,
-                                                                bool correct_light,
-                                                                const Job& job);
+[[nodiscard]] Result<SimulatedCalibration> simulate_calibration(Fault fault, std::uint64_t seed,
+                                                                bool correct_light, const Job& job);
 
 }  // namespace alltact

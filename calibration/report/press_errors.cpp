@@ -28,10 +28,8 @@ double face_width_mm(const FaceShape& shape, const Eigen::Vector2d& pixel) {
 }
 
 /// nullopt: nothing lies under the ball.
-std::optional<PressResiduals> residuals_of(const Press& press,
-                                           const Face& face,
-                                           const Mapping& mapping,
-                                           const BallFit& ball) {
+std::optional<PressResiduals> residuals_of(const Press& press, const Face& face,
+                                           const Mapping& mapping, const BallFit& ball) {
   const double radius_mm = press.ball_radius_mm;
   const MappingAlong along = mapping.parameters().along;
   const PressSamples around =
@@ -47,15 +45,10 @@ std::optional<PressResiduals> residuals_of(const Press& press,
     if (!(rim <= 1.0)) continue;
     const double depth = ball_depth_mm(sample, along, ball.centre_mm, radius_mm);
     const double factor = mapping.parameters().variation.at(sample.position_mm);
-    result.samples.push_back({sample.pixel,
-                              sample.x,
-                              depth,
+    result.samples.push_back({sample.pixel, sample.x, depth,
                               factor * mapping.depth_mm(sample.x) - depth -
                                   blur_mm(sample, around, curve, along, ball.centre_mm),
-                              sample.position_mm.x(),
-                              sample.position_mm.y(),
-                              rim,
-                              factor});
+                              sample.position_mm.x(), sample.position_mm.y(), rim, factor});
     if (rim < nearest_rim) nearest_rim = rim, nearest = &sample;
   }
   if (nearest == nullptr) return std::nullopt;
@@ -81,14 +74,13 @@ double face_length_mm(const FaceShape& shape) {
 }
 
 std::vector<PressResiduals> press_residuals(const std::vector<const Press*>& presses,
-                                            const Face& face,
-                                            const Calibration& calibration) {
+                                            const Face& face, const Calibration& calibration) {
   std::vector<PressResiduals> all;
   const auto mapping = Mapping::create(calibration.mapping);
   if (!mapping) return all;
   for (const BallFit& ball : calibration.balls) {
-    const auto press = std::find_if(
-        presses.begin(), presses.end(), [&](const Press* one) { return one->name == ball.press; });
+    const auto press = std::find_if(presses.begin(), presses.end(),
+                                    [&](const Press* one) { return one->name == ball.press; });
     if (press == presses.end()) continue;
     auto residuals = residuals_of(**press, face, *mapping, ball);
     if (residuals) all.push_back(std::move(*residuals));
@@ -97,8 +89,7 @@ std::vector<PressResiduals> press_residuals(const std::vector<const Press*>& pre
 }
 
 std::vector<ZoneError> zone_errors(const std::vector<PressResiduals>& residuals,
-                                   const Calibration& calibration,
-                                   FaceKind kind) {
+                                   const Calibration& calibration, FaceKind kind) {
   const bool flat = kind == FaceKind::kFlat;
   std::array<ZoneError, 5> zones;
   zones[0].zone = flat ? en::say("left") : en::say("base");
@@ -107,8 +98,7 @@ std::vector<ZoneError> zone_errors(const std::vector<PressResiduals>& residuals,
   zones[3].zone = en::say("upper half");
   zones[4].zone = en::say("lower half");
   for (const PressResiduals& press : residuals) {
-    const auto ball = std::find_if(calibration.balls.begin(),
-                                   calibration.balls.end(),
+    const auto ball = std::find_if(calibration.balls.begin(), calibration.balls.end(),
                                    [&](const BallFit& one) { return one.press == press.press; });
     if (ball == calibration.balls.end() || !(press.face_length_mm > 0)) continue;
     const double error = ball->held_out_mm > 0 ? ball->held_out_mm : ball->residual_mm;
@@ -128,12 +118,10 @@ std::vector<ZoneError> zone_errors(const std::vector<PressResiduals>& residuals,
 Message zone_sentence(const std::vector<ZoneError>& zones) {
   std::vector<Message> all;
   for (const ZoneError& zone : zones)
-    all.push_back(zone.error_mm ? en::count("{1} {2:.3f} mm ({0} presses)",
-                                            "{1} {2:.3f} mm ({0} press)",
-                                            zone.presses,
-                                            zone.zone,
-                                            *zone.error_mm)
-                                : en::say("{} unknown: no press there", zone.zone));
+    all.push_back(zone.error_mm
+                      ? en::count("{1} {2:.3f} mm ({0} presses)", "{1} {2:.3f} mm ({0} press)",
+                                  zone.presses, zone.zone, *zone.error_mm)
+                      : en::say("{} unknown: no press there", zone.zone));
   return en::list(all);
 }
 
@@ -145,8 +133,7 @@ constexpr double kInContactMm = 0.1;
 struct MeanSd {
   double all_mm = 0, without_mapping_mm = 0;
 };
-MeanSd mean_sd(const ComparedPress& compared,
-               const PressResiduals& contact,
+MeanSd mean_sd(const ComparedPress& compared, const PressResiduals& contact,
                const Mapping& mapping) {
   const auto& [press, reference] = compared;
   Difference difference = press->difference;
@@ -196,9 +183,8 @@ ContactError contact_error(const std::vector<ComparedPress>& presses,
   std::vector<double> all_mm, others_mm;
   for (const PressResiduals& contact : contacts) {
     const auto compared =
-        std::find_if(presses.begin(), presses.end(), [&](const ComparedPress& one) {
-          return one.press->name == contact.press;
-        });
+        std::find_if(presses.begin(), presses.end(),
+                     [&](const ComparedPress& one) { return one.press->name == contact.press; });
     if (compared == presses.end()) continue;
     const MeanSd sd = mean_sd(*compared, contact, *mapping);
     if (!std::isfinite(sd.all_mm)) continue;
@@ -234,9 +220,7 @@ struct Rings {
 };
 
 /// nullopt: too little of a ring is visible.
-std::optional<Rings> rings_of(const Press& press,
-                              const Face& face,
-                              const Mapping& mapping,
+std::optional<Rings> rings_of(const Press& press, const Face& face, const Mapping& mapping,
                               const BallFit& ball) {
   const double radius_mm = press.ball_radius_mm;
   const PressSamples samples =
@@ -276,16 +260,15 @@ std::optional<Rings> rings_of(const Press& press,
 
 }  // namespace
 
-Halo measure_halo(const std::vector<const Press*>& presses,
-                  const Face& face,
+Halo measure_halo(const std::vector<const Press*>& presses, const Face& face,
                   const Calibration& calibration) {
   Halo halo;
   const auto mapping = Mapping::create(calibration.mapping);
   if (!mapping) return halo;
   std::vector<double> excess_mm;
   for (const BallFit& ball : calibration.balls) {
-    const auto press = std::find_if(
-        presses.begin(), presses.end(), [&](const Press* one) { return one->name == ball.press; });
+    const auto press = std::find_if(presses.begin(), presses.end(),
+                                    [&](const Press* one) { return one->name == ball.press; });
     if (press == presses.end()) continue;
     const auto rings = rings_of(**press, face, *mapping, ball);
     if (!rings) continue;

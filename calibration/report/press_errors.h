@@ -58,8 +58,7 @@ struct ZoneError {
 /// Thirds along the face, then its halves across. Of a Fin Ray finger: base, middle, tip; of a flat
 /// sensor: left, middle, right. Upper is where v is small.
 [[nodiscard]] std::vector<ZoneError> zone_errors(const std::vector<PressResiduals>& residuals,
-                                                 const Calibration& calibration,
-                                                 FaceKind kind);
+                                                 const Calibration& calibration, FaceKind kind);
 
 /// "base 0.004 mm (2 presses), middle 0.003 mm (1 press), tip unknown: no press there".
 [[nodiscard]] Message zone_sentence(const std::vector<ZoneError>& zones);
@@ -111,8 +110,7 @@ struct Halo {
   int presses = 0;          ///< with a visible ring
   bool is_seen = false;     ///< significant, and decays as light does; skin may as well
 };
-[[nodiscard]] Halo measure_halo(const std::vector<const Press*>& presses,
-                                const Face& face,
+[[nodiscard]] Halo measure_halo(const std::vector<const Press*>& presses, const Face& face,
                                 const Calibration& calibration);
 
 }  // namespace alltact

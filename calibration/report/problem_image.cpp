@@ -61,33 +61,16 @@ class Drawing {
         break;
       case ProblemMark::Kind::kExpected:
         for (int from = 0; from < 360; from += 45)
-          cv::ellipse(image_,
-                      centre,
-                      {radius, radius},
-                      0,
-                      from,
-                      from + 25,
-                      kExpectedColour,
-                      1,
+          cv::ellipse(image_, centre, {radius, radius}, 0, from, from + 25, kExpectedColour, 1,
                       cv::LINE_AA);
         break;
       case ProblemMark::Kind::kDarker:
-        cv::rectangle(image_,
-                      centre - cv::Point(radius, radius),
-                      centre + cv::Point(radius, radius),
-                      kDarkerColour,
-                      1,
-                      cv::LINE_AA);
+        cv::rectangle(image_, centre - cv::Point(radius, radius),
+                      centre + cv::Point(radius, radius), kDarkerColour, 1, cv::LINE_AA);
     }
     if (mark.number >= 0)
-      cv::putText(image_,
-                  fmt::format("{}", mark.number),
-                  centre + cv::Point(radius + 2, 5),
-                  kFont,
-                  kTextScale,
-                  colour_of(mark.kind),
-                  1,
-                  cv::LINE_AA);
+      cv::putText(image_, fmt::format("{}", mark.number), centre + cv::Point(radius + 2, 5), kFont,
+                  kTextScale, colour_of(mark.kind), 1, cv::LINE_AA);
   }
 
   static const cv::Scalar& colour_of(ProblemMark::Kind kind) {
@@ -105,12 +88,8 @@ class Drawing {
   }
   void cross(const cv::Point& centre, int radius) {
     for (const int turn : {-1, 1})
-      cv::line(image_,
-               centre + cv::Point(-radius, -turn * radius),
-               centre + cv::Point(radius, turn * radius),
-               kRefusedColour,
-               1,
-               cv::LINE_AA);
+      cv::line(image_, centre + cv::Point(-radius, -turn * radius),
+               centre + cv::Point(radius, turn * radius), kRefusedColour, 1, cv::LINE_AA);
   }
 
   int scale_;
@@ -150,9 +129,8 @@ std::vector<Line> key_to(const ProblemScene& scene) {
       {ProblemMark::Kind::kExpected, "broken circle: a marker should be here"},
       {ProblemMark::Kind::kDarker, "square: darker than the untouched face"}};
   for (const auto& [kind, meaning] : meanings)
-    if (std::any_of(scene.marks.begin(), scene.marks.end(), [kind = kind](const ProblemMark& mark) {
-          return mark.kind == kind;
-        }))
+    if (std::any_of(scene.marks.begin(), scene.marks.end(),
+                    [kind = kind](const ProblemMark& mark) { return mark.kind == kind; }))
       lines.push_back({meaning, Drawing::colour_of(kind)});
   return lines;
 }

@@ -175,8 +175,7 @@ class AccuracyStudyRun {
 
   /// The base is the first choice. Its row is returned along with each batch.
   [[nodiscard]] Result<std::vector<StudyRow>> measure(const std::vector<PipelineSettings>& choices,
-                                                      double from,
-                                                      double to) {
+                                                      double from, double to) {
     std::vector<Pipeline> pipelines;
     std::vector<Measured> measured(choices.size());
     for (std::size_t i = 0; i < choices.size(); ++i) {
@@ -217,8 +216,7 @@ class AccuracyStudyRun {
 
  private:
   /// For pipelines that have seen this frame, the base's first, turn by turn.
-  [[nodiscard]] Status time_following(const StudyFrame& frame,
-                                      std::vector<Pipeline>& pipelines,
+  [[nodiscard]] Status time_following(const StudyFrame& frame, std::vector<Pipeline>& pipelines,
                                       std::vector<Measured>& measured) const {
     constexpr double kSlow = 10;  // times the base: from there on one turn a frame is enough
     std::vector<char> is_slow(pipelines.size(), 0);
@@ -277,10 +275,8 @@ class AccuracyStudyRun {
 
 }  // namespace
 
-Result<AccuracyStudy> study_accuracy(const StudyWorld& world,
-                                     const StudyOptions& options,
-                                     const std::vector<StudyRow>& known,
-                                     const SaveRows& save,
+Result<AccuracyStudy> study_accuracy(const StudyWorld& world, const StudyOptions& options,
+                                     const std::vector<StudyRow>& known, const SaveRows& save,
                                      const Job& job) {
   AccuracyStudyRun run(world, options, job);
   if (const Status status = run.find_answers(); !status) return status.error();
@@ -365,8 +361,7 @@ PipelineSettings cheapest(PipelineSettings settings, const Finger& finger) {
 
 }  // namespace
 
-std::vector<PipelineSettings> study_choices(const PipelineSettings& base,
-                                            StudyExtent extent,
+std::vector<PipelineSettings> study_choices(const PipelineSettings& base, StudyExtent extent,
                                             const Finger& finger) {
   std::vector<PipelineSettings> choices;
   std::set<std::string> known;
@@ -450,8 +445,7 @@ cv::Mat at_full_size(const cv::Mat& values, int reduced_by, cv::Size size) {
 
 Result<ComparedSettings> ComparedSettings::create(const FingerSnapshot& finger,
                                                   const PipelineSettings& now,
-                                                  const PipelineSettings& other,
-                                                  const Job& job) {
+                                                  const PipelineSettings& other, const Job& job) {
   auto first = Pipeline::create(finger, now, job);
   if (!first) return first.error();
   auto second = Pipeline::create(finger, other, job);

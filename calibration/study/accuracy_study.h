@@ -40,8 +40,7 @@ enum class StudyExtent {
 /// The base first, then the others, each once, in a fixed order. Only settings that trade accuracy
 /// for time on this finger (has_trade_off()).
 [[nodiscard]] std::vector<PipelineSettings> study_choices(const PipelineSettings& base,
-                                                          StudyExtent extent,
-                                                          const Finger& finger);
+                                                          StudyExtent extent, const Finger& finger);
 
 /// The differences: "reference-method nearest, smoothing-px 0"; "as it is" where there is none.
 [[nodiscard]] Message words_of(const PipelineSettings& choice, const PipelineSettings& base);
@@ -115,8 +114,7 @@ using SaveRows = std::function<Status(const std::vector<StudyRow>&)>;
 [[nodiscard]] Result<AccuracyStudy> study_accuracy(const StudyWorld& world,
                                                    const StudyOptions& options,
                                                    const std::vector<StudyRow>& known,
-                                                   const SaveRows& save,
-                                                   const Job& job);
+                                                   const SaveRows& save, const Job& job);
 
 // One frame measured with two settings, and the difference of the depths.
 

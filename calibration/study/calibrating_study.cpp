@@ -21,10 +21,8 @@ namespace {
 
 constexpr int kQuickDraws = 1, kDraws = 3;
 
-Result<Calibration> calibrate_with(const std::vector<Press>& presses,
-                                   const FingerSnapshot& finger,
-                                   const CalibratingChoice& choice,
-                                   const Job& job) {
+Result<Calibration> calibrate_with(const std::vector<Press>& presses, const FingerSnapshot& finger,
+                                   const CalibratingChoice& choice, const Job& job) {
   CalibrationSettings settings;
   settings.method = choice.method;
   settings.family = choice.family;
@@ -44,9 +42,7 @@ std::vector<T> first_of(const std::vector<T>& all, int count) {
   return {all.begin(), all.begin() + std::min<std::ptrdiff_t>(count, std::ssize(all))};
 }
 
-Error stopped_calibrating() {
-  return {en::say("stopped before the study was over"), "", ""};
-}
+Error stopped_calibrating() { return {en::say("stopped before the study was over"), "", ""}; }
 
 /// Errors of one choice, summed over draws.
 struct PaintedSum {
@@ -55,10 +51,8 @@ struct PaintedSum {
   std::vector<double> seconds;  // by draw; 0 where it failed
 };
 
-Result<PaintedSum> paint_and_calibrate(CalibratingBench& bench,
-                                       const CalibratingChoice& choice,
-                                       int draws,
-                                       const Job& job) {
+Result<PaintedSum> paint_and_calibrate(CalibratingBench& bench, const CalibratingChoice& choice,
+                                       int draws, const Job& job) {
   PaintedSum sum;
   const bool is_paper = choice.method == CalibrationMethod::kPaper;
   for (int draw = 0; draw < draws; ++draw) {
@@ -101,8 +95,7 @@ class RealSplits {
     if (splits.own_presses_.size() < RealPresses::kMinPresses)
       return Error{en::say("the finger has too few stored presses to leave one out: {}",
                            splits.own_presses_.size()),
-                   finger->folder.string(),
-                   en::say("calibrating it with three presses or more")};
+                   finger->folder.string(), en::say("calibrating it with three presses or more")};
     return splits;
   }
 
@@ -146,8 +139,8 @@ class RealSplits {
     std::vector<std::size_t> order(count);
     std::iota(order.begin(), order.end(), std::size_t{0});
     for (std::size_t i = count; i > 1; --i) {
-      const double drawn = philox_uniform(
-          seed_, "press split", static_cast<std::uint32_t>(split), static_cast<std::uint32_t>(i));
+      const double drawn = philox_uniform(seed_, "press split", static_cast<std::uint32_t>(split),
+                                          static_cast<std::uint32_t>(i));
       std::swap(order[i - 1],
                 order[std::min(i - 1, static_cast<std::size_t>(drawn * static_cast<double>(i)))]);
     }
@@ -259,8 +252,7 @@ CalibratingChoice choice_of_finger(const Finger& finger) {
 }
 
 Result<CalibratingStudy> study_calibrating(const FingerPtr& finger,
-                                           const CalibratingOptions& options,
-                                           const Job& job) {
+                                           const CalibratingOptions& options, const Job& job) {
   auto bench = CalibratingBench::make(finger, options.seed, job);
   if (!bench) return bench.error();
   CalibratingStudy study;
@@ -318,8 +310,7 @@ cv::Mat noise_of(const cv::Mat& grey, const cv::Mat& reference) {
 
 }  // namespace
 
-Result<CalibratingBench> CalibratingBench::make(const FingerPtr& finger,
-                                                std::uint64_t seed,
+Result<CalibratingBench> CalibratingBench::make(const FingerPtr& finger, std::uint64_t seed,
                                                 const Job& job) {
   StudyWorldOptions options;
   options.frames = kMaxPresses + kTestImages;
@@ -378,8 +369,7 @@ Result<const ReadPresses*> CalibratingBench::presses(int draw, int images) {
   if (const auto known = read_.find(key); known != read_.end()) return &known->second;
   ReadPresses read;
   Pipeline pipeline =
-      Pipeline::with_library(untouched_.library,
-                             finger().without_mapping(),
+      Pipeline::with_library(untouched_.library, finger().without_mapping(),
                              settings_for_presses(measuring_settings(finger().folder)));
   for (int number = 0; number < kMaxPresses; ++number) {
     auto press = painted(draw, number, images, false);
@@ -391,9 +381,7 @@ Result<const ReadPresses*> CalibratingBench::presses(int draw, int images) {
     auto seen = pipeline(frame);
     if (!seen) return seen.error();
     if (!seen->difference || !seen->shape || seen->reference->by_shape) continue;
-    read.presses.push_back(Press{frame->name,
-                                 std::move(*seen->difference),
-                                 std::move(*seen->shape),
+    read.presses.push_back(Press{frame->name, std::move(*seen->difference), std::move(*seen->shape),
                                  painted_radius_mm(finger())});
     read.read_s.push_back(thread_cpu_s() - begin_s);
     read.frames.push_back(std::move(frame));
@@ -405,8 +393,7 @@ Status CalibratingBench::need_paper(const Job& job) {
   if (paper_) return {};
   if (is_turned_)
     return Error{en::say("the source paper's method is not studied with a turned camera"),
-                 finger().folder.string(),
-                 ""};
+                 finger().folder.string(), ""};
   const FingerSnapshot blank = finger().without_mapping();
   if (finger().finger.face.kind == FaceKind::kFlat) {
     paper_ = PaperMethod::flat(untouched_.library, blank);
@@ -426,10 +413,8 @@ Result<std::vector<Press>> CalibratingBench::as_paper(const std::vector<FramePtr
   return paper_presses(*paper_, frames, press_set, job);
 }
 
-Result<std::vector<float>> CalibratingBench::errors_mm(const Mapping& mapping,
-                                                       bool is_paper,
-                                                       int draw,
-                                                       const Job& job) {
+Result<std::vector<float>> CalibratingBench::errors_mm(const Mapping& mapping, bool is_paper,
+                                                       int draw, const Job& job) {
   auto& frames = new_[draw];
   if (frames.empty())
     for (int number = 0; number < kTestImages; ++number)
@@ -442,8 +427,8 @@ Result<std::vector<float>> CalibratingBench::errors_mm(const Mapping& mapping,
     FingerSnapshot measuring = finger();
     measuring.mapping = mapping;
     measuring.finger.mapping = mapping.parameters();
-    pipeline = Pipeline::with_library(
-        untouched_.library, measuring, settings_for_presses(measuring_settings(finger().folder)));
+    pipeline = Pipeline::with_library(untouched_.library, measuring,
+                                      settings_for_presses(measuring_settings(finger().folder)));
   }
   std::vector<float> errors;
   for (const StudyFrame& frame : frames) {
@@ -479,8 +464,8 @@ double painted_median_mm(const CalibratingRow& row) {
 
 const CalibratingRow* row_of_choice(const CalibratingStudy& study,
                                     const CalibratingChoice& choice) {
-  const auto found = std::find_if(
-      study.rows.begin(), study.rows.end(), [&](const auto& row) { return row.choice == choice; });
+  const auto found = std::find_if(study.rows.begin(), study.rows.end(),
+                                  [&](const auto& row) { return row.choice == choice; });
   return found == study.rows.end() || !found->painted ? nullptr : &*found;
 }
 
@@ -488,11 +473,8 @@ Message benefit_of(const Message& what, const CalibratingRow& now, const Calibra
   return en::say(
       "{}: median depth error {:.1f} instead of {:.1f} micrometres, 95 % within {:.1f} instead of "
       "{:.1f}, for {:.1f} more minutes",
-      what,
-      1000 * then.painted->median_mm,
-      1000 * now.painted->median_mm,
-      1000 * then.painted->p95_mm,
-      1000 * now.painted->p95_mm,
+      what, 1000 * then.painted->median_mm, 1000 * now.painted->median_mm,
+      1000 * then.painted->p95_mm, 1000 * now.painted->p95_mm,
       total_minutes(then) - total_minutes(now));
 }
 
@@ -505,15 +487,11 @@ std::optional<ErrorSpread> real_depth(const CalibratingRow& row) {
 }
 
 std::string line_of_row(const CalibratingRow& row) {
-  std::string line = fmt::format("{:>8.1f} {:>8.2f} {:>8.2f} {:>9} {:>8} {:>9} {:>8}  {}",
-                                 row.technician_min,
-                                 row.computing_s,
-                                 row.time_ratio,
-                                 um(row.painted, &ErrorSpread::median_mm),
-                                 um(row.painted, &ErrorSpread::p95_mm),
-                                 um(real_depth(row), &ErrorSpread::median_mm),
-                                 um(real_depth(row), &ErrorSpread::p95_mm),
-                                 words_of(row.choice));
+  std::string line = fmt::format(
+      "{:>8.1f} {:>8.2f} {:>8.2f} {:>9} {:>8} {:>9} {:>8}  {}", row.technician_min, row.computing_s,
+      row.time_ratio, um(row.painted, &ErrorSpread::median_mm),
+      um(row.painted, &ErrorSpread::p95_mm), um(real_depth(row), &ErrorSpread::median_mm),
+      um(real_depth(row), &ErrorSpread::p95_mm), words_of(row.choice));
   if (row.failed > 0) line += fmt::format("   ({} of {} gave no mapping)", row.failed, row.draws);
   return line + '\n';
 }
@@ -546,9 +524,8 @@ std::vector<std::size_t> calibrating_front(const CalibratingStudy& study) {
   for (std::size_t i = 0; i < study.rows.size(); ++i) {
     const CalibratingRow& row = study.rows[i];
     if (painted_median_mm(row) == std::numeric_limits<double>::infinity()) continue;
-    if (std::none_of(study.rows.begin(), study.rows.end(), [&](const CalibratingRow& other) {
-          return beats(other, row);
-        }))
+    if (std::none_of(study.rows.begin(), study.rows.end(),
+                     [&](const CalibratingRow& other) { return beats(other, row); }))
       front.push_back(i);
   }
   std::sort(front.begin(), front.end(), [&](std::size_t a, std::size_t b) {
@@ -580,11 +557,10 @@ std::vector<Message> benefit_of_more_data(const CalibratingStudy& study,
   if (more_presses != nullptr)
     sentences.push_back(benefit_of(
         en::count("{} more presses", "{} more press", more_presses->choice.presses - from.presses),
-        *now,
-        *more_presses));
+        *now, *more_presses));
   if (more_images != nullptr)
-    sentences.push_back(benefit_of(
-        en::say("{} images of each press", more_images->choice.images), *now, *more_images));
+    sentences.push_back(benefit_of(en::say("{} images of each press", more_images->choice.images),
+                                   *now, *more_images));
   const CalibratingRow* minute = nullptr;  // the best within a minute more
   for (const CalibratingRow& row : study.rows)
     if (row.painted && total_minutes(row) <= total_minutes(*now) + 1 &&
@@ -599,20 +575,8 @@ std::vector<Message> benefit_of_more_data(const CalibratingStudy& study,
 std::string text_of(const CalibratingStudy& study) {
   std::string text = fmt::format(
       "{:>8} {:>8} {:>8} {:>9} {:>8} {:>9} {:>8}\n{:>8} {:>8} {:>8} {:>9} {:>8} {:>9} {:>8}\n",
-      "minutes",
-      "seconds",
-      "ratio",
-      "painted",
-      "95 %",
-      "real",
-      "95 %",
-      "of hand",
-      "computed",
-      "",
-      "(um)",
-      "(um)",
-      "(um)",
-      "(um)");
+      "minutes", "seconds", "ratio", "painted", "95 %", "real", "95 %", "of hand", "computed", "",
+      "(um)", "(um)", "(um)", "(um)");
   text += "Nothing studied takes less time and reads depth closer (painted) than these:\n";
   for (const std::size_t row : calibrating_front(study)) text += line_of_row(study.rows[row]);
   text += "All that was studied:\n";
@@ -622,9 +586,7 @@ std::string text_of(const CalibratingStudy& study) {
   text += fmt::format(
       "Minutes of hand are an estimate: {:.0f} s once, {:.0f} s a press, {:.2f} s a further "
       "picture.\n",
-      study.technician.once_s,
-      study.technician.press_s,
-      study.technician.image_s);
+      study.technician.once_s, study.technician.press_s, study.technician.image_s);
   for (const Message& sentence : benefit_of_more_data(study, study.rows.front().choice))
     text += fmt::format("{}.\n", sentence);
   return text;
@@ -641,21 +603,12 @@ std::string csv_of(const CalibratingStudy& study) {
   const auto front = calibrating_front(study);
   for (std::size_t i = 0; i < study.rows.size(); ++i) {
     const CalibratingRow& row = study.rows[i];
-    csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
-                       row.choice.presses,
-                       row.choice.images,
-                       method_name(row.choice.method),
-                       family_name(row.choice.family),
-                       row.choice.iterations,
-                       row.technician_min,
-                       row.computing_s,
-                       row.time_ratio,
-                       row.draws,
-                       row.failed,
+    csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", row.choice.presses,
+                       row.choice.images, method_name(row.choice.method),
+                       family_name(row.choice.family), row.choice.iterations, row.technician_min,
+                       row.computing_s, row.time_ratio, row.draws, row.failed,
                        number(row.painted, &ErrorSpread::median_mm),
-                       number(row.painted, &ErrorSpread::p95_mm),
-                       row.splits,
-                       row.splits_failed,
+                       number(row.painted, &ErrorSpread::p95_mm), row.splits, row.splits_failed,
                        number(real_depth(row), &ErrorSpread::median_mm),
                        number(real_depth(row), &ErrorSpread::p95_mm),
                        std::find(front.begin(), front.end(), i) != front.end() ? 1 : 0);

@@ -130,8 +130,7 @@ class CalibratingBench {
   static constexpr int kMaxPresses = 24;
 
   /// Errors: those of untouched_images(); too few images show the face.
-  [[nodiscard]] static Result<CalibratingBench> make(const FingerPtr& finger,
-                                                     std::uint64_t seed,
+  [[nodiscard]] static Result<CalibratingBench> make(const FingerPtr& finger, std::uint64_t seed,
                                                      const Job& job);
 
   /// kMaxPresses of them: base, middle and tip in turn. With fewer presses the first ones are the
@@ -144,10 +143,8 @@ class CalibratingBench {
 
   /// Depth errors in painted images that took no part in the calibration, measured with this
   /// mapping.
-  [[nodiscard]] Result<std::vector<float>> errors_mm(const Mapping& mapping,
-                                                     bool is_paper,
-                                                     int draw,
-                                                     const Job& job);
+  [[nodiscard]] Result<std::vector<float>> errors_mm(const Mapping& mapping, bool is_paper,
+                                                     int draw, const Job& job);
 
   [[nodiscard]] const FingerSnapshot& finger() const { return *untouched_.finger; }
   [[nodiscard]] std::uint64_t checksum() const { return checksum_; }

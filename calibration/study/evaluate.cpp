@@ -25,9 +25,7 @@ std::optional<double> median(std::vector<double> values) {
   return upper_median(values);
 }
 
-Truth::Dot dot_of(const Json& json) {
-  return {json.at("u"), json.at("v"), json.at("visible")};
-}
+Truth::Dot dot_of(const Json& json) { return {json.at("u"), json.at("v"), json.at("visible")}; }
 
 Markers markers_of(const Json& line) {
   Markers markers;
@@ -37,11 +35,8 @@ Markers markers_of(const Json& line) {
   return markers;
 }
 
-Status add_frame(const Json& entry,
-                 const Json& line,
-                 const fs::path& truths,
-                 const fs::path& results,
-                 Evaluator& evaluator) {
+Status add_frame(const Json& entry, const Json& line, const fs::path& truths,
+                 const fs::path& results, Evaluator& evaluator) {
   const std::string name = entry.at("frame");
   auto depth = read_float_image(truths / (name + ".depth.tiff"));
   if (!depth) return depth.error();
@@ -78,9 +73,7 @@ std::map<std::string, Json> lines_by_name(const std::string& text) {
 
 }  // namespace
 
-void Evaluator::add(const Truth& truth,
-                    const cv::Mat& depth_mm,
-                    const cv::Mat& points_mm,
+void Evaluator::add(const Truth& truth, const cv::Mat& depth_mm, const cv::Mat& points_mm,
                     const Markers& markers) {
   ++evaluation_.frames;
   add_depth(truth, depth_mm);
@@ -116,8 +109,7 @@ void Evaluator::add_depth(const Truth& truth, const cv::Mat& depth_mm) {
   }
 }
 
-void Evaluator::add_position(const Truth& truth,
-                             const cv::Mat& depth_mm,
+void Evaluator::add_position(const Truth& truth, const cv::Mat& depth_mm,
                              const cv::Mat& points_mm) {
   constexpr int kEvery = 3;  // neighbours carry the same information
   for (int v = 0; v < depth_mm.rows; v += kEvery) {

@@ -35,9 +35,7 @@ class Evaluator {
 
   /// depth_mm CV_32FC1 and points_mm CV_32FC3 (of the pressed face) as reconstruct writes them, the
   /// size of the truth's. An empty list of markers is not compared.
-  void add(const Truth& truth,
-           const cv::Mat& depth_mm,
-           const cv::Mat& points_mm,
+  void add(const Truth& truth, const cv::Mat& depth_mm, const cv::Mat& points_mm,
            const Markers& markers);
   void add_missing() { ++evaluation_.frames_missing; }
   void add_time(double time_ms) { times_ms_.push_back(time_ms); }

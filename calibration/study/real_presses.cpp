@@ -17,9 +17,7 @@ namespace {
 
 constexpr std::size_t kMaxFolds = 10;
 
-Error stopped_among_presses() {
-  return {en::say("stopped before the study was over"), "", ""};
-}
+Error stopped_among_presses() { return {en::say("stopped before the study was over"), "", ""}; }
 
 FaceZone zone_of_contact(const Press& press, const Eigen::Vector3d& centre_mm) {
   // The zone follows from the column of the ball's centre, relative to the face's ends.
@@ -68,9 +66,7 @@ CalibrationSettings fixed_to_mapping(const CalibrationSettings& settings,
   return fixed;
 }
 
-void RealErrorSum::add(const Press& press,
-                       const Face& face,
-                       const Mapping& mapping,
+void RealErrorSum::add(const Press& press, const Face& face, const Mapping& mapping,
                        const Job& job) {
   const auto ball = ball_by_shape(press, face, mapping, job);
   if (!ball) {
@@ -140,12 +136,8 @@ Result<std::vector<Press>> RealPresses::measured(const PipelineSettings& setting
     if (!result) return result.error();
     if (!result->difference || !result->shape || result->reference->by_shape) continue;
     const PressNote& note = inputs_.press_set.of(frame->name);
-    presses.push_back(Press{frame->name,
-                            std::move(*result->difference),
-                            std::move(*result->shape),
-                            inputs_.press_set.radius_of(frame->name),
-                            note.ball_mm,
-                            note.depth});
+    presses.push_back(Press{frame->name, std::move(*result->difference), std::move(*result->shape),
+                            inputs_.press_set.radius_of(frame->name), note.ball_mm, note.depth});
   }
   return presses;
 }
@@ -180,23 +172,19 @@ Result<RealErrors> RealPresses::held_out(const PipelineSettings& settings, const
   if (!errors)
     return Error{en::say("none of {} presses could be compared with a mapping made without it",
                          frames_.size()),
-                 finger_->folder.string(),
-                 en::say("more presses of different depth")};
+                 finger_->folder.string(), en::say("more presses of different depth")};
   return *errors;
 }
 
-Status add_real_errors(AccuracyStudy& study,
-                       const RealPresses& presses,
-                       const std::vector<std::size_t>& requested,
-                       const SaveRows& save,
+Status add_real_errors(AccuracyStudy& study, const RealPresses& presses,
+                       const std::vector<std::size_t>& requested, const SaveRows& save,
                        const Job& job) {
   const StudyClock clock;
   for (std::size_t i = 0; i < requested.size(); ++i) {
     StudyRow& row = study.rows[requested[i]];
     if (row.real) continue;
     if (job.stop_requested()) return stopped_among_presses();
-    clock.report(job,
-                 static_cast<double>(i) / static_cast<double>(requested.size()),
+    clock.report(job, static_cast<double>(i) / static_cast<double>(requested.size()),
                  en::say("leaving out presses, {} of {}", i + 1, requested.size()));
     const auto errors = presses.held_out(row.settings, job);
     if (job.stop_requested()) return stopped_among_presses();
@@ -218,10 +206,9 @@ std::vector<std::size_t> rows_for_real(const AccuracyStudy& study, bool all) {
     for (const std::size_t row : pareto_front(study)) rows.insert(row);
     for (std::size_t i = 0; i < study.rows.size(); ++i) {
       const PipelineSettings &row = study.rows[i].settings, &base = study.rows.front().settings;
-      const auto differ = std::count_if(
-          pipeline_settings().begin(), pipeline_settings().end(), [&](const auto& setting) {
-            return setting.get(row) != setting.get(base);
-          });
+      const auto differ =
+          std::count_if(pipeline_settings().begin(), pipeline_settings().end(),
+                        [&](const auto& setting) { return setting.get(row) != setting.get(base); });
       if (differ == 1) rows.insert(i);
     }
   }

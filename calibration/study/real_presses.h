@@ -83,11 +83,9 @@ class RealErrorSum {
 /// Measures the rows named by `requested` that have no real errors yet, and stores the errors in
 /// them. `keep` receives each row. Errors: those of held_out() for the base (for another row the
 /// field stays empty); those of `keep`; stopped.
-[[nodiscard]] Status add_real_errors(AccuracyStudy& study,
-                                     const RealPresses& presses,
+[[nodiscard]] Status add_real_errors(AccuracyStudy& study, const RealPresses& presses,
                                      const std::vector<std::size_t>& requested,
-                                     const SaveRows& save,
-                                     const Job& job);
+                                     const SaveRows& save, const Job& job);
 
 /// Rows worth comparing with real presses: the base and what presets_of() names. With `all` also
 /// rows that change one setting, and the front.

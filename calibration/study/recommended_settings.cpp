@@ -22,9 +22,7 @@ double median_error_mm(const StudyRow& row) {
   return row.depth && row.frames_missing == 0 ? row.depth->median_mm : kNever;
 }
 
-double position_error_mm(const StudyRow& row) {
-  return row.position_mm.value_or(kNever);
-}
+double position_error_mm(const StudyRow& row) { return row.position_mm.value_or(kNever); }
 
 bool is_better(const AccuracyStudy& study, const StudyRow& a, const StudyRow& b) {
   const std::array<double, 3> of_a{frame_ms(study, a), median_error_mm(a), position_error_mm(a)};
@@ -102,8 +100,7 @@ std::optional<double> error_p95_mm(const AccuracyStudy& study, const StudyRow& r
 }
 
 std::optional<std::size_t> dominated_by(const AccuracyStudy& study,
-                                        const std::vector<std::size_t>& front,
-                                        std::size_t row) {
+                                        const std::vector<std::size_t>& front, std::size_t row) {
   if (median_error_mm(study.rows[row]) == kNever) return std::nullopt;
   std::optional<std::size_t> best;
   for (const std::size_t other : front)
@@ -113,8 +110,7 @@ std::optional<std::size_t> dominated_by(const AccuracyStudy& study,
   return best;
 }
 
-std::optional<std::size_t> most_accurate_within(const AccuracyStudy& study,
-                                                double budget_ms,
+std::optional<std::size_t> most_accurate_within(const AccuracyStudy& study, double budget_ms,
                                                 std::optional<double> position_mm) {
   if (!position_mm) position_mm = default_position_limit_mm(study);
   std::optional<std::size_t> best;
@@ -126,8 +122,7 @@ std::optional<std::size_t> most_accurate_within(const AccuracyStudy& study,
   return best;
 }
 
-std::optional<std::size_t> fastest_within(const AccuracyStudy& study,
-                                          double error_mm,
+std::optional<std::size_t> fastest_within(const AccuracyStudy& study, double error_mm,
                                           std::optional<double> position_mm) {
   if (!position_mm) position_mm = default_position_limit_mm(study);
   std::optional<std::size_t> best;
@@ -157,41 +152,28 @@ StudyBalance balance_of(const AccuracyStudy& study, const StudyRow& row) {
   if (ratio < 0.98) balance.brings.push_back(en::say("takes {:.2f} times as long", ratio));
   for (const Compared& figure :
        {Compared{[](double now, double before) {
-                   return en::say("depth error {:.1f} instead of {:.1f} micrometres",
-                                  1000 * now,
+                   return en::say("depth error {:.1f} instead of {:.1f} micrometres", 1000 * now,
                                   1000 * before);
                  },
-                 median(row),
-                 median(base),
-                 kLeastMm},
+                 median(row), median(base), kLeastMm},
         Compared{[](double now, double before) {
                    return en::say("95 % of depth within {:.1f} instead of {:.1f} micrometres",
-                                  1000 * now,
-                                  1000 * before);
+                                  1000 * now, 1000 * before);
                  },
-                 p95(row),
-                 p95(base),
-                 kLeastMm},
+                 p95(row), p95(base), kLeastMm},
         Compared{[](double now, double before) {
                    return en::say("position error {:.3f} instead of {:.3f} mm", now, before);
                  },
-                 row.position_mm,
-                 base.position_mm,
-                 kLeastMm},
+                 row.position_mm, base.position_mm, kLeastMm},
         Compared{[](double now, double before) {
                    return en::say("angle error {:.1f} instead of {:.1f} degrees", now, before);
                  },
-                 row.angle_deg,
-                 base.angle_deg,
-                 kLeastDeg},
+                 row.angle_deg, base.angle_deg, kLeastDeg},
         Compared{[](double now, double before) {
-                   return en::say("{:.1f} instead of {:.1f} micrometres of false depth",
-                                  1000 * now,
+                   return en::say("{:.1f} instead of {:.1f} micrometres of false depth", 1000 * now,
                                   1000 * before);
                  },
-                 row.false_depth_mm,
-                 base.false_depth_mm,
-                 kLeastMm}})
+                 row.false_depth_mm, base.false_depth_mm, kLeastMm}})
     add_to_balance(figure, balance);
   const int missing = row.frames_missing - base.frames_missing;
   if (missing > 0)

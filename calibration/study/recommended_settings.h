@@ -45,8 +45,7 @@ namespace alltact {
 
 /// The fastest row whose 95 % error (error_p95_mm) is within error_mm and whose position error is
 /// within the limit as above. nullopt: none is.
-[[nodiscard]] std::optional<std::size_t> fastest_within(const AccuracyStudy& study,
-                                                        double error_mm,
+[[nodiscard]] std::optional<std::size_t> fastest_within(const AccuracyStudy& study, double error_mm,
                                                         std::optional<double> position_mm = {});
 
 /// Losses and gains of a row against the base, each a phrase with its figures. Counted are times

@@ -40,8 +40,7 @@ struct RecordedImages {
 
 /// At most `count` images, evenly over the recording. Errors: the finger is not calibrated; those
 /// of its recording; stopped.
-[[nodiscard]] Result<RecordedImages> recorded_images(const FingerPtr& finger,
-                                                     int count,
+[[nodiscard]] Result<RecordedImages> recorded_images(const FingerPtr& finger, int count,
                                                      const Job& job);
 
 struct ScaledFinger {
@@ -55,14 +54,10 @@ struct ScaledFinger {
 
 /// by: factor on pixels a side, 0.05 to 8. Errors: those of Camera::create and ReferenceLibrary.
 [[nodiscard]] Result<ScaledFinger> scaled_finger(const FingerSnapshot& finger,
-                                                 const RecordedImages& recorded,
-                                                 double by,
-                                                 std::uint64_t seed,
-                                                 const Job& job);
+                                                 const RecordedImages& recorded, double by,
+                                                 std::uint64_t seed, const Job& job);
 
-double scaled_px(double px, double by) {
-  return (px + 0.5) * by - 0.5;
-}
+double scaled_px(double px, double by) { return (px + 0.5) * by - 0.5; }
 
 FingerSnapshot at_scale(const FingerSnapshot& original, double by) {
   FingerSnapshot scaled = original;
@@ -127,8 +122,8 @@ Result<RecordedImages> recorded_images(const FingerPtr& snapshot, int count, con
     const std::size_t row = i * rows / used;
     const auto frame = video->frame(static_cast<std::size_t>(table->frames[row]));
     if (!frame) return frame.error();
-    auto grey = oriented_for(
-        finger.camera, (*frame)->grey, en::say("the recording's image"), file.string(), "");
+    auto grey = oriented_for(finger.camera, (*frame)->grey, en::say("the recording's image"),
+                             file.string(), "");
     if (!grey) return grey.error();
     recorded.table.frames.push_back(static_cast<int>(i));
     recorded.table.seen.push_back(table->seen[row]);
@@ -139,11 +134,8 @@ Result<RecordedImages> recorded_images(const FingerPtr& snapshot, int count, con
   return recorded;
 }
 
-Result<ScaledFinger> scaled_finger(const FingerSnapshot& original,
-                                   const RecordedImages& recorded,
-                                   double by,
-                                   std::uint64_t seed,
-                                   const Job& job) {
+Result<ScaledFinger> scaled_finger(const FingerSnapshot& original, const RecordedImages& recorded,
+                                   double by, std::uint64_t seed, const Job& job) {
   FingerSnapshot finger = at_scale(original, by);
   auto camera = Camera::create(finger.finger.camera);
   if (!camera) return camera.error();
@@ -151,20 +143,16 @@ Result<ScaledFinger> scaled_finger(const FingerSnapshot& original,
   std::vector<cv::Mat> images;
   for (const cv::Mat& image : recorded.images) {
     cv::Mat scaled;
-    cv::resize(
-        image, scaled, finger.camera.size(), 0, 0, by < 1 ? cv::INTER_AREA : cv::INTER_CUBIC);
+    cv::resize(image, scaled, finger.camera.size(), 0, 0,
+               by < 1 ? cv::INTER_AREA : cv::INTER_CUBIC);
     images.push_back(std::move(scaled));
   }
   const auto image_of = [&](std::size_t number) -> Result<cv::Mat> { return images[number]; };
   auto library = recorded.table.frames.empty()
                      ? ReferenceLibrary::single(images.front())
-                     : ReferenceLibrary::from_frames({image_of,
-                                                      images.size(),
-                                                      original.folder,
-                                                      at_scale(recorded.table, by)},
-                                                     finger.finger,
-                                                     finger.camera,
-                                                     job);
+                     : ReferenceLibrary::from_frames(
+                           {image_of, images.size(), original.folder, at_scale(recorded.table, by)},
+                           finger.finger, finger.camera, job);
   if (!library) return library.error();
   ScaledFinger scaled{std::move(finger), std::move(library).value(), {}};
   Pipeline pipeline = scaled.pipeline();
@@ -227,9 +215,7 @@ Markers noisy_query(const Eigen::MatrixXd& layouts, std::uint64_t seed, std::uin
   for (std::size_t m = 0; m < markers.size(); ++m) {
     const auto at = static_cast<Eigen::Index>(2 * m);
     markers[m] = {layouts(row, at) + 0.3 * draws.normal(),
-                  layouts(row, at + 1) + 0.3 * draws.normal(),
-                  m % 5 != number % 5,
-                  0.05};
+                  layouts(row, at + 1) + 0.3 * draws.normal(), m % 5 != number % 5, 0.05};
   }
   return markers;
 }
@@ -279,10 +265,8 @@ class ScalingRun {
     if (!recorded) return recorded.error();
     recorded_ = std::move(recorded).value();
     using Part = Result<ScalingCurve> (ScalingRun::*)();
-    const std::vector<Part> parts{&ScalingRun::pixels,
-                                  &ScalingRun::recorded_frames,
-                                  &ScalingRun::markers,
-                                  &ScalingRun::presses,
+    const std::vector<Part> parts{&ScalingRun::pixels, &ScalingRun::recorded_frames,
+                                  &ScalingRun::markers, &ScalingRun::presses,
                                   &ScalingRun::recordings};
     for (const Part part : parts) {
       done_ = static_cast<double>(study.curves.size()) / static_cast<double>(parts.size());
@@ -365,15 +349,15 @@ class ScalingRun {
       curve.points.push_back(
           {static_cast<double>(frames), upper_median(times_ms), search.memory_bytes()});
     }
-    curve.note = en::say(
-        "{} of {} searches gave the same result as a search of all frames", equal, compared);
+    curve.note = en::say("{} of {} searches gave the same result as a search of all frames", equal,
+                         compared);
     return curve;
   }
 
   Result<ScalingCurve> markers() {
     constexpr Eigen::Index kFrames = 300;
-    ScalingCurve curve{
-        "markers", en::say("numbering dots seen anew"), en::say("markers"), {}, {}, {}};
+    ScalingCurve curve{"markers", en::say("numbering dots seen anew"), en::say("markers"), {}, {},
+                       {}};
     int numbered = 0, asked = 0;
     for (const int count :
          options_.quick ? std::vector<int>{12, 24, 50} : std::vector<int>{12, 24, 50, 100, 200}) {
@@ -438,13 +422,11 @@ class ScalingRun {
       if (job_.stop_requested()) return curve;
       if (!made) continue;
       const std::size_t after = heap_bytes();
-      curve.points.push_back({static_cast<double>(count),
-                              1000 * (thread_cpu_s() - begin_s),
+      curve.points.push_back({static_cast<double>(count), 1000 * (thread_cpu_s() - begin_s),
                               after > before ? after - before : 0});
     }
     curve.note = en::count("{} presses are distinct, the others are their copies",
-                           "{} press is distinct, the others are its copies",
-                           std::ssize(some));
+                           "{} press is distinct, the others are its copies", std::ssize(some));
     return curve;
   }
 
@@ -522,8 +504,7 @@ std::optional<double> exponent_of(const std::vector<double>& x, const std::vecto
   return (n * sum_xy - sum_x * sum_y) / spread;
 }
 
-Result<ScalingStudy> study_scaling(const FingerPtr& finger,
-                                   const ScalingOptions& options,
+Result<ScalingStudy> study_scaling(const FingerPtr& finger, const ScalingOptions& options,
                                    const Job& job) {
   return ScalingRun(finger, options, job).run();
 }
@@ -544,11 +525,8 @@ std::string text_of(const ScalingStudy& study) {
     if (curve.exponent) text += fmt::format(": grows with its power {:.2f}", *curve.exponent);
     text += fmt::format("\n{:>12} {:>14} {:>14} {:>12}\n", "size", "ms", "us a piece", "MB");
     for (const ScalingPoint& point : curve.points)
-      text += fmt::format("{:>12.0f} {:>14.4f} {:>14.4f} {:>12}\n",
-                          point.size,
-                          point.time_ms,
-                          1000 * point.time_ms / point.size,
-                          megabytes(point.memory_bytes));
+      text += fmt::format("{:>12.0f} {:>14.4f} {:>14.4f} {:>12}\n", point.size, point.time_ms,
+                          1000 * point.time_ms / point.size, megabytes(point.memory_bytes));
     if (!curve.note.empty()) text += fmt::format("  ({})\n", curve.note);
   }
   return text;
@@ -558,10 +536,7 @@ std::string csv_of(const ScalingStudy& study) {
   std::string csv = "what,size,time_ms,memory_bytes,exponent\n";
   for (const ScalingCurve& curve : study.curves)
     for (const ScalingPoint& point : curve.points)
-      csv += fmt::format("{},{},{},{},{}\n",
-                         curve.key,
-                         point.size,
-                         point.time_ms,
+      csv += fmt::format("{},{},{},{},{}\n", curve.key, point.size, point.time_ms,
                          point.memory_bytes ? fmt::format("{}", *point.memory_bytes) : "",
                          curve.exponent ? fmt::format("{}", *curve.exponent) : "");
   return csv;

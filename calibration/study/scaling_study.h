@@ -50,8 +50,7 @@ struct ScalingOptions {
 /// Of a calibrated finger's own images, enlarged and reduced, and of synthetic layouts of markers.
 /// Errors: those of untouched_images() and Pipeline; stopped.
 [[nodiscard]] Result<ScalingStudy> study_scaling(const FingerPtr& finger,
-                                                 const ScalingOptions& options,
-                                                 const Job& job);
+                                                 const ScalingOptions& options, const Job& job);
 
 /// Slope of log(y) over log(x) by least squares, over points with x at or above the geometric mean
 /// of the smallest and the greatest x. nullopt: fewer than two such points, or a value that is not

@@ -126,8 +126,8 @@ Json phrases_json(const std::vector<Message>& phrases) {
 
 std::string text_line(const AccuracyStudy& study, std::size_t number) {
   const StudyRow& row = study.rows[number];
-  std::string line = fmt::format(
-      "{:>8.2f} {:>8.2f} {:>8.2f}", frame_ms(study, row), frame_p95_ms(study, row), row.time_ratio);
+  std::string line = fmt::format("{:>8.2f} {:>8.2f} {:>8.2f}", frame_ms(study, row),
+                                 frame_p95_ms(study, row), row.time_ratio);
   const auto add = [&](const std::optional<double>& mm) {
     line += fmt::format(" {:>8}", micrometres(mm));
   };
@@ -167,8 +167,7 @@ Result<std::vector<StudyRow>> rows_of_lines(std::string_view lines, const std::s
       row.reset();
     }
     if (!row)
-      return Error{en::say("is not a study file of this program"),
-                   where,
+      return Error{en::say("is not a study file of this program"), where,
                    en::say("remove it, and the study begins anew")};
     rows.push_back(std::move(*row));
   }
@@ -223,25 +222,16 @@ std::string csv_of(const AccuracyStudy& study) {
     const StudyRow& row = study.rows[i];
     const bool is_on_front = std::find(front.begin(), front.end(), i) != front.end();
     for (const auto& setting : pipeline_settings()) csv += setting.get(row.settings) + ',';
-    csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
-                       frame_ms(study, row),
-                       frame_p95_ms(study, row),
-                       row.time_ratio,
-                       median(row.depth),
-                       number(row.depth ? std::optional(row.depth->p95_mm) : std::nullopt),
-                       median(row.depth_by_zone[0]),
-                       median(row.depth_by_zone[1]),
-                       median(row.depth_by_zone[2]),
-                       number(row.coverage),
-                       number(row.false_depth_mm),
-                       number(row.position_mm),
-                       number(row.position_p95_mm),
-                       number(row.angle_deg),
-                       number(row.angle_p95_deg),
-                       row.memory_bytes,
-                       is_on_front ? 1 : 0,
-                       number(row.real ? std::optional(row.real->depth.median_mm) : std::nullopt),
-                       number(row.real ? std::optional(row.real->depth.p95_mm) : std::nullopt));
+    csv +=
+        fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", frame_ms(study, row),
+                    frame_p95_ms(study, row), row.time_ratio, median(row.depth),
+                    number(row.depth ? std::optional(row.depth->p95_mm) : std::nullopt),
+                    median(row.depth_by_zone[0]), median(row.depth_by_zone[1]),
+                    median(row.depth_by_zone[2]), number(row.coverage), number(row.false_depth_mm),
+                    number(row.position_mm), number(row.position_p95_mm), number(row.angle_deg),
+                    number(row.angle_p95_deg), row.memory_bytes, is_on_front ? 1 : 0,
+                    number(row.real ? std::optional(row.real->depth.median_mm) : std::nullopt),
+                    number(row.real ? std::optional(row.real->depth.p95_mm) : std::nullopt));
   }
   return csv;
 }
@@ -249,21 +239,10 @@ std::string csv_of(const AccuracyStudy& study) {
 std::string text_of(const AccuracyStudy& study) {
   const bool has_real = study.rows.front().real.has_value();
   std::string text =
-      fmt::format("{:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8}{}\n",
-                  "ms",
-                  "95 %",
-                  "ratio",
-                  "depth",
-                  "95 %",
-                  "base",
-                  "middle",
-                  "tip",
-                  "false",
-                  "place",
-                  "angle",
-                  has_real ? "     real" : "") +
-      fmt::format("{:>26} {}\n",
-                  "",
+      fmt::format("{:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8}{}\n", "ms",
+                  "95 %", "ratio", "depth", "95 %", "base", "middle", "tip", "false", "place",
+                  "angle", has_real ? "     real" : "") +
+      fmt::format("{:>26} {}\n", "",
                   has_real ? "errors in micrometres, of angles in degrees; real: of "
                              "presses left out of the calibration"
                            : "errors in micrometres, of angles in degrees");
@@ -325,8 +304,7 @@ struct StudyFileContent {
 };
 
 Error no_study(const std::filesystem::path& file) {
-  return {en::say("is not a study file of this program"),
-          file.string(),
+  return {en::say("is not a study file of this program"), file.string(),
           en::say("remove it, and the study begins anew")};
 }
 
@@ -345,13 +323,10 @@ Result<std::optional<StudyFileContent>> read_study(const std::filesystem::path& 
   };
   if (text_at("format") != kStudyFormat) return no_study(file);
   const bool has_mapping = json.contains("mapping_p95_mm") && json.at("mapping_p95_mm").is_number();
-  StudyFileContent content{{text_at("of"),
-                            text_at("program_version"),
-                            text_at("computer"),
-                            text_at("date"),
-                            text_at("world"),
-                            has_mapping ? json.at("mapping_p95_mm").get<double>() : 0.0},
-                           {}};
+  StudyFileContent content{
+      {text_at("of"), text_at("program_version"), text_at("computer"), text_at("date"),
+       text_at("world"), has_mapping ? json.at("mapping_p95_mm").get<double>() : 0.0},
+      {}};
   auto rows = rows_of_lines(std::string_view(*text).substr(end + 1), file.string());
   if (!rows) return rows.error();
   content.rows = std::move(rows).value();
@@ -373,9 +348,7 @@ Result<std::string> checksum_of_finger(const FingerSnapshot& finger) {
   return fmt::format("{} {} {:08x}", finger_checksum(finger.finger), *reference, fnv1a(*yaml));
 }
 
-StudyHead head_here_and_now(const std::string& of,
-                            std::uint64_t world,
-                            double mapping_p95_mm,
+StudyHead head_here_and_now(const std::string& of, std::uint64_t world, double mapping_p95_mm,
                             const std::string& program_version) {
   return {of,
           program_version,
@@ -400,15 +373,11 @@ bool has_all(const std::vector<StudyRow>& rows, StudyExtent extent, const Finger
   });
 }
 
-FingerStudy finger_study(const FingerSnapshot& finger,
-                         const StudyFileContent& content,
+FingerStudy finger_study(const FingerSnapshot& finger, const StudyFileContent& content,
                          const std::string& of_now) {
   FingerStudy stored;
-  stored.study = {en::say("balls painted into untouched images of {}", finger.finger.name),
-                  false,
-                  0,
-                  content.rows,
-                  content.head.mapping_p95_mm};
+  stored.study = {en::say("balls painted into untouched images of {}", finger.finger.name), false,
+                  0, content.rows, content.head.mapping_p95_mm};
   stored.date = content.head.date;
   stored.computer = content.head.computer;
   stored.is_of_finger_now = content.head.of == of_now;
@@ -428,10 +397,8 @@ Result<std::optional<FingerStudy>> stored_study(const FingerPtr& finger) {
   return std::optional(finger_study(*finger, **content, now ? *now : std::string()));
 }
 
-Result<FingerStudy> study_finger(const FingerPtr& finger,
-                                 StudyExtent extent,
-                                 const std::string& program_version,
-                                 const Job& job) {
+Result<FingerStudy> study_finger(const FingerPtr& finger, StudyExtent extent,
+                                 const std::string& program_version, const Job& job) {
   const auto of = checksum_of_finger(*finger);
   if (!of) return of.error();
   StudyWorldOptions world_options;
@@ -459,8 +426,7 @@ Result<FingerStudy> study_finger(const FingerPtr& finger,
   return finger_study(*finger, content, *of);
 }
 
-Status store_study(const FingerPtr& finger,
-                   const AccuracyStudy& study,
+Status store_study(const FingerPtr& finger, const AccuracyStudy& study,
                    const std::string& program_version) {
   const auto of = checksum_of_finger(*finger);
   if (!of) return of.error();

@@ -54,14 +54,11 @@ struct FingerStudy {
 /// Measures the missing rows and stores them. Rows of another finger, computer or version of the
 /// program are measured again. Errors: those of painted_world and study_accuracy; not writable.
 ///   extent: kQuick takes about 12 s, kPairs some minutes
-[[nodiscard]] Result<FingerStudy> study_finger(const FingerPtr& finger,
-                                               StudyExtent extent,
-                                               const std::string& program_version,
-                                               const Job& job);
+[[nodiscard]] Result<FingerStudy> study_finger(const FingerPtr& finger, StudyExtent extent,
+                                               const std::string& program_version, const Job& job);
 
 /// Stores a study that was made elsewhere as one of this finger, this computer and this time.
-[[nodiscard]] Status store_study(const FingerPtr& finger,
-                                 const AccuracyStudy& study,
+[[nodiscard]] Status store_study(const FingerPtr& finger, const AccuracyStudy& study,
                                  const std::string& program_version);
 
 }  // namespace alltact

@@ -43,8 +43,7 @@ class StudyClock {
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin_;
     job.report(fraction, with_time_left(fraction, spent.count(), what));
   }
-  [[nodiscard]] static Message with_time_left(double fraction,
-                                              double spent_s,
+  [[nodiscard]] static Message with_time_left(double fraction, double spent_s,
                                               const Message& what) {
     if (fraction < 0.02 || fraction > 1 || spent_s < 2) return what;
     const double left_s = spent_s * (1 - fraction) / fraction;

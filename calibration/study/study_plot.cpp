@@ -56,9 +56,8 @@ class DrawnPlot {
   explicit DrawnPlot(const StudyPlot& plot) : plot_(plot) {
     // Dots far outside the front and the base would compress the rest into a corner.
     double farthest = 0, highest = 0;
-    const bool any = std::any_of(plot.dots.begin(), plot.dots.end(), [](const PlotDot& dot) {
-      return dot.is_on_front || dot.is_base;
-    });
+    const bool any = std::any_of(plot.dots.begin(), plot.dots.end(),
+                                 [](const PlotDot& dot) { return dot.is_on_front || dot.is_base; });
     for (const PlotDot& dot : plot.dots) {
       if (any && !dot.is_on_front && !dot.is_base) continue;
       farthest = std::max(farthest, dot.x);
@@ -81,8 +80,7 @@ class DrawnPlot {
                "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1:.0f}\" "
                "viewBox=\"0 0 {0} {1:.0f}\" font-family=\"DejaVu Sans, sans-serif\" "
                "font-size=\"13\">\n<rect width=\"{0}\" height=\"{1:.0f}\" fill=\"white\"/>\n",
-               kWidth,
-               next_y_ + 4) +
+               kWidth, next_y_ + 4) +
            text_ + "</svg>\n";
   }
 
@@ -97,20 +95,12 @@ class DrawnPlot {
 
   void write(double at_x, double at_y, const char* anchor, int size, const std::string& words) {
     text_ += fmt::format(
-        "<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\" font-size=\"{}\">{}</text>\n",
-        at_x,
-        at_y,
-        anchor,
-        size,
-        escaped(words));
+        "<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\" font-size=\"{}\">{}</text>\n", at_x,
+        at_y, anchor, size, escaped(words));
   }
   void line(double x1, double y1, double x2, double y2, const std::string& how) {
-    text_ += fmt::format("<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" {}/>\n",
-                         x1,
-                         y1,
-                         x2,
-                         y2,
-                         how);
+    text_ += fmt::format("<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" {}/>\n", x1,
+                         y1, x2, y2, how);
   }
   /// A whisker ends within the axes; a cap marks a true end.
   void whisker(double at_x, double from, double to, const char* colour) {
@@ -136,8 +126,7 @@ class DrawnPlot {
     text_ += fmt::format(
         "<text transform=\"translate(24 {:.1f}) rotate(-90)\" text-anchor=\"middle\" "
         "font-size=\"14\">{}</text>\n",
-        (kTop + kBottom) / 2,
-        escaped(plot_.y_label));
+        (kTop + kBottom) / 2, escaped(plot_.y_label));
   }
 
   void budget() {
@@ -146,10 +135,7 @@ class DrawnPlot {
       write(kRight, kTop - 18, "end", 13, plot_.budget_words + " \u2192");
       return;
     }
-    line(x(*plot_.budget),
-         kTop,
-         x(*plot_.budget),
-         kBottom,
+    line(x(*plot_.budget), kTop, x(*plot_.budget), kBottom,
          "stroke=\"#b03030\" stroke-dasharray=\"6 4\"");
     write(std::min(x(*plot_.budget), kRight), kTop - 6, "end", 13, plot_.budget_words);
   }
@@ -163,16 +149,11 @@ class DrawnPlot {
         ++beyond;
         continue;
       }
-      text_ += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3\" fill=\"{}\"/>\n",
-                           x(dot.x),
-                           y(dot.y),
-                           dot.is_on_front ? kFrontColour : kBeatenColour);
+      text_ += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3\" fill=\"{}\"/>\n", x(dot.x),
+                           y(dot.y), dot.is_on_front ? kFrontColour : kBeatenColour);
     }
     if (beyond > 0)
-      write(kRight,
-            kBottom + 40,
-            "end",
-            13,
+      write(kRight, kBottom + 40, "end", 13,
             fmt::format("{} slower or worse, beyond this figure", beyond));
   }
 
@@ -195,8 +176,7 @@ class DrawnPlot {
     path += fmt::format("{:.1f},{:.1f}", kRight, y(least));
     text_ +=
         fmt::format("<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.5\"/>\n",
-                    path,
-                    kFrontColour);
+                    path, kFrontColour);
   }
 
   void named() {
@@ -211,15 +191,11 @@ class DrawnPlot {
         text_ += fmt::format(
             "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"8\" height=\"8\" fill=\"white\" "
             "stroke=\"{}\" stroke-width=\"2\"/>\n",
-            at_x + 2,
-            y(*dot.real) - 4,
-            kRealColour);
+            at_x + 2, y(*dot.real) - 4, kRealColour);
       }
-      text_ += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"5\" fill=\"{}\"{}/>\n",
-                           at_x,
-                           y(dot.y),
-                           colour,
-                           dot.is_base ? " stroke=\"black\" stroke-width=\"2\"" : "");
+      text_ +=
+          fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"5\" fill=\"{}\"{}/>\n", at_x,
+                      y(dot.y), colour, dot.is_base ? " stroke=\"black\" stroke-width=\"2\"" : "");
       write(at_x - 9, y(dot.y) - 8, "end", 13, fmt::format("{}", number + 1));
       bool is_first = true;
       for (const std::string& words : wrapped(dot.words)) {
@@ -234,29 +210,22 @@ class DrawnPlot {
 
   void legend() {
     const double at_y = next_y_ + 4;
-    text_ += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"5\" fill=\"{}\"/>\n",
-                         kLeft + 10,
-                         at_y - 4,
-                         kFrontColour);
+    text_ += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"5\" fill=\"{}\"/>\n", kLeft + 10,
+                         at_y - 4, kFrontColour);
     write(kLeft + 22, at_y, "start", 12, "median, whisker to 95 %");
-    text_ += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3\" fill=\"{}\"/>\n",
-                         kLeft + 210,
-                         at_y - 4,
-                         kBeatenColour);
+    text_ += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3\" fill=\"{}\"/>\n", kLeft + 210,
+                         at_y - 4, kBeatenColour);
     write(kLeft + 220, at_y, "start", 12, "something else is better");
     text_ += fmt::format(
         "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"5\" fill=\"white\" stroke=\"black\" "
         "stroke-width=\"2\"/>\n",
-        kLeft + 400,
-        at_y - 4);
+        kLeft + 400, at_y - 4);
     write(kLeft + 412, at_y, "start", 12, "in use now");
     if (!plot_.real_label.empty()) {
       text_ += fmt::format(
           "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"8\" height=\"8\" fill=\"white\" stroke=\"{}\" "
           "stroke-width=\"2\"/>\n",
-          kLeft + 500,
-          at_y - 9,
-          kRealColour);
+          kLeft + 500, at_y - 9, kRealColour);
       write(kLeft + 514, at_y, "start", 12, plot_.real_label);
     }
     next_y_ = at_y + 8;
@@ -280,9 +249,8 @@ class DrawnPlot {
     for (std::size_t i = 0; i < plot_.dots.size(); ++i)
       if (plot_.dots[i].is_base) add(i);
     for (const std::size_t i : plot_.named) add(i);
-    std::sort(named_.begin(), named_.end(), [&](std::size_t a, std::size_t b) {
-      return plot_.dots[a].x < plot_.dots[b].x;
-    });
+    std::sort(named_.begin(), named_.end(),
+              [&](std::size_t a, std::size_t b) { return plot_.dots[a].x < plot_.dots[b].x; });
   }
 
   const StudyPlot& plot_;
@@ -293,9 +261,7 @@ class DrawnPlot {
 
 }  // namespace
 
-std::string svg_of(const StudyPlot& plot) {
-  return DrawnPlot(plot).svg();
-}
+std::string svg_of(const StudyPlot& plot) { return DrawnPlot(plot).svg(); }
 
 namespace {
 
@@ -364,10 +330,7 @@ std::string svg_of(const CalibratingStudy& study) {
     dot.y = 1000 * row.painted->median_mm;
     dot.y95 = 1000 * row.painted->p95_mm;
     dot.words = fmt::format("{:.1f} min, {:.1f} s computing, {:.1f} \u00b5m (95 % within {:.1f})",
-                            dot.x,
-                            row.computing_s,
-                            dot.y,
-                            *dot.y95);
+                            dot.x, row.computing_s, dot.y, *dot.y95);
     if (row.real) {
       dot.real = 1000 * row.real->depth.median_mm;
       dot.real95 = 1000 * row.real->depth.p95_mm;

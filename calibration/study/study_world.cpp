@@ -67,8 +67,7 @@ constexpr double kBarRadiusPart = 0.5;     // of the ball's
 constexpr double kBarHalfLengthMm = 3.0;
 constexpr double kBarDepthMm = 0.5;
 
-std::optional<double> distance_to_ball(const Eigen::Vector3d& centre_mm,
-                                       double radius_mm,
+std::optional<double> distance_to_ball(const Eigen::Vector3d& centre_mm, double radius_mm,
                                        const Eigen::Vector3d& from,
                                        const Eigen::Vector3d& direction) {
   const Eigen::Vector3d to_centre = centre_mm - from;
@@ -80,8 +79,7 @@ std::optional<double> distance_to_ball(const Eigen::Vector3d& centre_mm,
 }
 
 // The body's middle part, without its ends.
-std::optional<double> distance_to_cylinder(const PaintedBody& body,
-                                           const Eigen::Vector3d& from,
+std::optional<double> distance_to_cylinder(const PaintedBody& body, const Eigen::Vector3d& from,
                                            const Eigen::Vector3d& direction) {
   const auto across = [&](const Eigen::Vector3d& v) -> Eigen::Vector3d {
     return v - v.dot(body.axis) * body.axis;
@@ -101,9 +99,7 @@ struct Thinning {
   double of_mapping_mm = 0, along_z_mm = 0;
 };
 
-Thinning thinning(const FaceShape::Local& local,
-                  const PaintedBody& body,
-                  double layer_mm,
+Thinning thinning(const FaceShape::Local& local, const PaintedBody& body, double layer_mm,
                   MappingAlong along) {
   Thinning thinner;
   const double layer_z_mm = layer_mm / local.cos_incline;
@@ -146,8 +142,7 @@ std::optional<int> column_in(FaceZone zone, const FaceShape& shape, StudyDraws& 
 }
 
 // Position of the greatest depth in the ground truth.
-std::optional<Eigen::Vector2d> deepest_position(const cv::Mat& depth_mm,
-                                                const FaceShape& shape,
+std::optional<Eigen::Vector2d> deepest_position(const cv::Mat& depth_mm, const FaceShape& shape,
                                                 const Face& face) {
   DepthMap truth;
   truth.depth_mm = depth_mm;
@@ -160,8 +155,7 @@ std::optional<Eigen::Vector2d> deepest_position(const cv::Mat& depth_mm,
 
 }  // namespace
 
-std::optional<double> distance_to_body(const PaintedBody& body,
-                                       const Eigen::Vector3d& from,
+std::optional<double> distance_to_body(const PaintedBody& body, const Eigen::Vector3d& from,
                                        const Eigen::Vector3d& direction) {
   if (body.half_length_mm <= 0)
     return distance_to_ball(body.centre_mm, body.radius_mm, from, direction);
@@ -186,8 +180,7 @@ PressPainter::PressPainter(const FingerSnapshot& finger, double radius_mm)
                          kMaxDepthFraction * finger.finger.face.layer_mm);
 }
 
-std::optional<PressPainter::Spot> PressPainter::spot_on(const FaceShape& shape,
-                                                        StudyDraws& draws,
+std::optional<PressPainter::Spot> PressPainter::spot_on(const FaceShape& shape, StudyDraws& draws,
                                                         FaceZone zone) const {
   for (std::uint32_t tried = 0; tried < kMaxTries; ++tried) {
     const auto u = column_in(zone, shape, draws);
@@ -197,18 +190,14 @@ std::optional<PressPainter::Spot> PressPainter::spot_on(const FaceShape& shape,
         column.upper_v + (0.2 + 0.6 * draws.uniform()) * (column.lower_v - column.upper_v);
     const auto local = shape.at(*u, v);
     if (!local) continue;
-    return Spot{*local,
-                local->view_point_mm + finger_.finger.face.layer_mm * local->normal,
-                static_cast<double>(*u),
-                v};
+    return Spot{*local, local->view_point_mm + finger_.finger.face.layer_mm * local->normal,
+                static_cast<double>(*u), v};
   }
   return std::nullopt;
 }
 
-std::optional<StudyFrame> PressPainter::ball(const cv::Mat& grey,
-                                             const FaceShape& shape,
-                                             StudyDraws& draws,
-                                             FaceZone zone) const {
+std::optional<StudyFrame> PressPainter::ball(const cv::Mat& grey, const FaceShape& shape,
+                                             StudyDraws& draws, FaceZone zone) const {
   const auto spot = spot_on(shape, draws, zone);
   if (!spot) return std::nullopt;
   const double depth_mm = kMinDepthMm + draws.uniform() * (deepest_mm_ - kMinDepthMm);
@@ -220,10 +209,8 @@ std::optional<StudyFrame> PressPainter::ball(const cv::Mat& grey,
   return frame;
 }
 
-std::optional<StudyFrame> PressPainter::bar(const cv::Mat& grey,
-                                            const FaceShape& shape,
-                                            StudyDraws& draws,
-                                            FaceZone zone) const {
+std::optional<StudyFrame> PressPainter::bar(const cv::Mat& grey, const FaceShape& shape,
+                                            StudyDraws& draws, FaceZone zone) const {
   const double depth_mm = std::min(kBarDepthMm, deepest_mm_);
   const auto is_on_face = [&](const Eigen::Vector3d& point_mm) {
     const auto pixel = shape.camera().project(point_mm);
@@ -253,9 +240,7 @@ std::optional<StudyFrame> PressPainter::bar(const cv::Mat& grey,
   return std::nullopt;
 }
 
-StudyFrame PressPainter::painted_with(const PaintedBody& body,
-                                      FaceZone zone,
-                                      const cv::Mat& grey,
+StudyFrame PressPainter::painted_with(const PaintedBody& body, FaceZone zone, const cv::Mat& grey,
                                       const FaceShape& shape) const {
   constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
   const MappingParameters& parameters = mapping_.parameters();
@@ -305,9 +290,7 @@ double mapping_p95_mm(const FingerSnapshot& finger) {
   return kP95OfSd * sd_mm;
 }
 
-FaceZone zone_of_frame(std::size_t number) {
-  return static_cast<FaceZone>(number % kFaceZones);
-}
+FaceZone zone_of_frame(std::size_t number) { return static_cast<FaceZone>(number % kFaceZones); }
 
 // Rows of the table that are painted, evenly over its time, and rows that stay in the reference.
 struct Split {
@@ -333,13 +316,10 @@ Split split_of(std::size_t rows, std::size_t painted) {
 
 Error too_few(const FingerSnapshot& finger) {
   return {en::say("too few images of the reference recording show the face"),
-          finger.folder.string(),
-          en::say("record the finger bending through all its poses")};
+          finger.folder.string(), en::say("record the finger bending through all its poses")};
 }
 
-Error stopped_painting() {
-  return {en::say("stopped before the study was over"), "", ""};
-}
+Error stopped_painting() { return {en::say("stopped before the study was over"), "", ""}; }
 
 /// A recording's frames, decoded once for libraries of several image sizes, up to a memory limit.
 class DecodedFrames {
@@ -366,8 +346,7 @@ class DecodedFrames {
 };
 
 Result<UntouchedImages> untouched_of_recording(const FingerSnapshot& snapshot,
-                                               const StudyWorldOptions& options,
-                                               const Job& job) {
+                                               const StudyWorldOptions& options, const Job& job) {
   const Finger& finger = snapshot.finger;
   if (!finger.reference || finger.reference->video.empty() || finger.reference->markers.empty())
     return Error{en::say("the finger has no reference recording"),
@@ -392,9 +371,7 @@ Result<UntouchedImages> untouched_of_recording(const FingerSnapshot& snapshot,
     };
     return ReferenceLibrary::from_frames(
         {image, frames->count(), file, reduced_table(retained, measuring.reduced_by)},
-        measuring.finger,
-        measuring.camera,
-        doing);
+        measuring.finger, measuring.camera, doing);
   };
   auto library = library_of({}, job);
   if (!library) return library.error();
@@ -413,8 +390,7 @@ Result<UntouchedImages> untouched_of_recording(const FingerSnapshot& snapshot,
 
 // The single image with added noise, as much as two images differ by.
 Result<UntouchedImages> untouched_of_flat(const FingerSnapshot& snapshot,
-                                          const StudyWorldOptions& options,
-                                          const Job& job) {
+                                          const StudyWorldOptions& options, const Job& job) {
   auto library = ReferenceLibrary::load(snapshot, job);
   if (!library) return library.error();
   const auto turned = flat_reference(snapshot);
@@ -455,8 +431,7 @@ double painted_radius_mm(const FingerSnapshot& finger) {
   return finger.presses.ball_radius_mm > 0 ? finger.presses.ball_radius_mm : kDefaultBallRadiusMm;
 }
 
-Result<UntouchedImages> untouched_images(const FingerPtr& finger,
-                                         const StudyWorldOptions& options,
+Result<UntouchedImages> untouched_images(const FingerPtr& finger, const StudyWorldOptions& options,
                                          const Job& job) {
   if (!finger->mapping)
     return Error{en::say("the finger is not calibrated yet"),
@@ -472,8 +447,7 @@ Result<UntouchedImages> untouched_images(const FingerPtr& finger,
   return untouched;
 }
 
-Result<StudyWorld> painted_world(const FingerPtr& finger,
-                                 const StudyWorldOptions& options,
+Result<StudyWorld> painted_world(const FingerPtr& finger, const StudyWorldOptions& options,
                                  const Job& job) {
   const auto untouched = untouched_images(finger, options, job);
   if (!untouched) return untouched.error();

@@ -78,8 +78,7 @@ struct StudyWorldOptions {
 /// the finger is not calibrated; those of its recording; fewer than 3 of its images show the face;
 /// stopped.
 [[nodiscard]] Result<StudyWorld> painted_world(const FingerPtr& finger,
-                                               const StudyWorldOptions& options,
-                                               const Job& job);
+                                               const StudyWorldOptions& options, const Job& job);
 
 /// Untouched images of a finger to paint into, and their reference.
 struct UntouchedImages {
@@ -147,24 +146,17 @@ class PressPainter {
 
   /// grey: untouched, CV_8UC1; shape: of the face in it. The result includes the contact's
   /// position, from the same shape. nullopt: no valid position on this face.
-  [[nodiscard]] std::optional<StudyFrame> ball(const cv::Mat& grey,
-                                               const FaceShape& shape,
-                                               StudyDraws& draws,
-                                               FaceZone zone) const;
+  [[nodiscard]] std::optional<StudyFrame> ball(const cv::Mat& grey, const FaceShape& shape,
+                                               StudyDraws& draws, FaceZone zone) const;
   /// A bar with round sides and ends, half as wide as the ball and 6 mm longer, with its angle.
-  [[nodiscard]] std::optional<StudyFrame> bar(const cv::Mat& grey,
-                                              const FaceShape& shape,
-                                              StudyDraws& draws,
-                                              FaceZone zone) const;
+  [[nodiscard]] std::optional<StudyFrame> bar(const cv::Mat& grey, const FaceShape& shape,
+                                              StudyDraws& draws, FaceZone zone) const;
 
  private:
   struct Spot;
-  [[nodiscard]] std::optional<Spot> spot_on(const FaceShape& shape,
-                                            StudyDraws& draws,
+  [[nodiscard]] std::optional<Spot> spot_on(const FaceShape& shape, StudyDraws& draws,
                                             FaceZone zone) const;
-  [[nodiscard]] StudyFrame painted_with(const PaintedBody& body,
-                                        FaceZone zone,
-                                        const cv::Mat& grey,
+  [[nodiscard]] StudyFrame painted_with(const PaintedBody& body, FaceZone zone, const cv::Mat& grey,
                                         const FaceShape& shape) const;
 
   const FingerSnapshot& finger_;

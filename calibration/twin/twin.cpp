@@ -24,12 +24,8 @@ std::string with_sd(const TwinFigure& figure) {
 }
 
 /// `positive`: half its own size is a large uncertainty of the number.
-void add_figure(Twin& twin,
-                const std::string& key,
-                const Message& what,
-                double value,
-                const std::optional<double>& sd,
-                bool positive = true) {
+void add_figure(Twin& twin, const std::string& key, const Message& what, double value,
+                const std::optional<double>& sd, bool positive = true) {
   TwinFigure figure{key, what, value, sd, ""};
   if (!sd)
     figure.remark = en::say("not observable: at its limit, or another number has the same effect");
@@ -39,30 +35,25 @@ void add_figure(Twin& twin,
 }
 
 /// Comments an effect of the scene with the last `count` figures.
-void comment_effect(Twin& twin,
-                    const std::string& effect,
-                    const std::string& what,
+void comment_effect(Twin& twin, const std::string& effect, const std::string& what,
                     std::size_t count) {
   std::string text = what;
   const std::size_t first = twin.figures.size() - count;
   for (std::size_t i = first; i < twin.figures.size(); ++i)
-    text += fmt::format(
-        "{} {} {}", i == first ? ":" : ",", twin.figures[i].key, with_sd(twin.figures[i]));
+    text += fmt::format("{} {} {}", i == first ? ":" : ",", twin.figures[i].key,
+                        with_sd(twin.figures[i]));
   twin.scene.comments[effect] = text;
 }
 
 void write_layer(const TwinContact& contact, Twin& twin) {
   const TwinScene& scene = twin.scene;
   const ContactSpread& sd = contact.spread;
-  add_figure(twin,
-             "scatter_per_mm",
-             en::say("scattering of the layer, per mm"),
-             scene.layer.scatter_per_mm,
-             sd.scatter_per_mm);
+  add_figure(twin, "scatter_per_mm", en::say("scattering of the layer, per mm"),
+             scene.layer.scatter_per_mm, sd.scatter_per_mm);
   std::size_t count = 1;
   if (scene.layer.coat > 0) {
-    add_figure(
-        twin, "coat", en::say("reflection of the coat below the layer"), scene.layer.coat, sd.coat);
+    add_figure(twin, "coat", en::say("reflection of the coat below the layer"), scene.layer.coat,
+               sd.coat);
     ++count;
   } else {
     twin.remarks.push_back(
@@ -71,11 +62,10 @@ void write_layer(const TwinContact& contact, Twin& twin) {
   comment_effect(twin, "layer", "told by how the presses darken", count);
   twin.remarks.push_back(en::say(
       "absorption in the layer is not observable: scattering and coat change the same curve"));
-  add_figure(
-      twin, "rolloff length_mm", en::say("roll-off length, mm"), scene.rolloff_mm, sd.rolloff_mm);
+  add_figure(twin, "rolloff length_mm", en::say("roll-off length, mm"), scene.rolloff_mm,
+             sd.rolloff_mm);
   comment_effect(
-      twin,
-      "rolloff",
+      twin, "rolloff",
       fmt::format("told by the rims of the contacts, where kind {} leaves {:.2f} times as much",
                   contact.other_rolloff == TwinRolloff::kHertz ? "hertz" : "smooth",
                   contact.other_factor),
@@ -89,29 +79,20 @@ void write_halo(const TwinContact& contact, Twin& twin) {
     twin.remarks.push_back(en::say("no swelling is visible around the contacts"));
   } else {
     std::size_t count = 2;
-    add_figure(twin,
-               "bulge share",
-               en::say("height of the swelling, fraction of the layer"),
-               scene.halo_share,
-               sd.halo_share);
-    add_figure(twin,
-               "bulge width_mm",
-               en::say("its distance from the rim, mm"),
-               scene.halo_width_mm,
-               sd.halo_width_mm);
+    add_figure(twin, "bulge share", en::say("height of the swelling, fraction of the layer"),
+               scene.halo_share, sd.halo_share);
+    add_figure(twin, "bulge width_mm", en::say("its distance from the rim, mm"),
+               scene.halo_width_mm, sd.halo_width_mm);
     if (scene.halo == TwinHalo::kExponential) {
-      add_figure(twin,
-                 "bulge steepness",
-                 en::say("steepness of its slope"),
-                 scene.halo_steepness,
+      add_figure(twin, "bulge steepness", en::say("steepness of its slope"), scene.halo_steepness,
                  sd.halo_steepness);
       ++count;
     }
     comment_effect(twin, "bulge", "told by the bright halos", count);
   }
   if (scene.blur_px > 0) {
-    add_figure(
-        twin, "blur_px", en::say("blur, standard deviation in pixels"), scene.blur_px, sd.blur_px);
+    add_figure(twin, "blur_px", en::say("blur, standard deviation in pixels"), scene.blur_px,
+               sd.blur_px);
     comment_effect(twin, "defocus", "told by the steepest edges of the presses", 1);
   } else {
     twin.remarks.push_back(en::say("no blur is visible apart from the roll-off"));
@@ -122,29 +103,16 @@ void write_balls(const TwinContact& contact, Twin& twin) {
   for (std::size_t i = 0; i < twin.scene.balls.size(); ++i) {
     const TwinBall& ball = twin.scene.balls[i];
     const ContactSpread::Ball& sd = contact.spread.balls[i];
-    add_figure(twin,
-               ball.press + " depth_mm",
-               en::say("{}: depth, mm", ball.press),
-               ball.depth_mm,
+    add_figure(twin, ball.press + " depth_mm", en::say("{}: depth, mm", ball.press), ball.depth_mm,
                sd.depth_mm);
-    add_figure(twin,
-               ball.press + " s_mm",
-               en::say("{}: position along the face, mm", ball.press),
-               ball.s_mm,
-               sd.s_mm,
-               false);
-    add_figure(twin,
-               ball.press + " y_mm",
-               en::say("{}: position across the face, mm", ball.press),
-               ball.y_mm,
-               sd.y_mm,
-               false);
+    add_figure(twin, ball.press + " s_mm", en::say("{}: position along the face, mm", ball.press),
+               ball.s_mm, sd.s_mm, false);
+    add_figure(twin, ball.press + " y_mm", en::say("{}: position across the face, mm", ball.press),
+               ball.y_mm, sd.y_mm, false);
     std::size_t count = 3;
     if (ball.light != 1) {
-      add_figure(twin,
-                 ball.press + " light",
-                 en::say("{}: light, relative to its untouched image", ball.press),
-                 ball.light,
+      add_figure(twin, ball.press + " light",
+                 en::say("{}: light, relative to its untouched image", ball.press), ball.light,
                  sd.light);
       ++count;
     }
@@ -160,21 +128,19 @@ void write_lamps(const TwinLamps& lamps, Twin& twin) {
     const double power = twin.scene.lamps[i].power;
     std::optional<double> sd = lamps.spread[i].power;
     if (sd) *sd *= power / lamps.lamps[i].power;
-    add_figure(
-        twin, fmt::format("lamp {} power", i + 1), en::say("lamp {}: power", i + 1), power, sd);
+    add_figure(twin, fmt::format("lamp {} power", i + 1), en::say("lamp {}: power", i + 1), power,
+               sd);
     const std::optional<Eigen::Vector3d>& at_sd = lamps.spread[i].at_mm;
     const double distance = twin.scene.face.kind == FaceKind::kFlat
                                 ? twin.scene.face.plane_z_mm - lamps.lamps[i].at_mm.z()
                                 : lamps.lamps[i].at_mm.norm();
     std::optional<double> distance_sd;
     if (at_sd) distance_sd = twin.scene.face.kind == FaceKind::kFlat ? at_sd->z() : at_sd->norm();
-    add_figure(twin,
-               fmt::format("lamp {} distance_mm", i + 1),
+    add_figure(twin, fmt::format("lamp {} distance_mm", i + 1),
                twin.scene.face.kind == FaceKind::kFlat
                    ? en::say("lamp {}: distance from the face, mm", i + 1)
                    : en::say("lamp {}: distance from the camera, mm", i + 1),
-               distance,
-               distance_sd);
+               distance, distance_sd);
     if (!distance_sd || *distance_sd > kMaxRelativeSd * distance) ++hardly;
     least = i == 0 ? distance : std::min(least, distance);
     most = std::max(most, distance);
@@ -188,19 +154,18 @@ void write_lamps(const TwinLamps& lamps, Twin& twin) {
   twin.remarks.push_back(
       en::say("the lamps reproduce the light on the face, not the positions of the real ones: {} "
               "of {} positions are not observable",
-              hardly,
-              lamps.lamps.size()));
+              hardly, lamps.lamps.size()));
 }
 
 void write_noise(const TwinNoise& noise, Twin& twin) {
   if (noise.read_sd > 0) {
-    add_figure(
-        twin, "read sd", en::say("read noise, grey levels"), noise.read_sd, noise.read_sd_sd);
+    add_figure(twin, "read sd", en::say("read noise, grey levels"), noise.read_sd,
+               noise.read_sd_sd);
     comment_effect(twin, "read", noise.from.english(), 1);
   }
   if (noise.shot_gain > 0) {
-    add_figure(
-        twin, "shot gain", en::say("shot noise, grey levels"), noise.shot_gain, noise.shot_gain_sd);
+    add_figure(twin, "shot gain", en::say("shot noise, grey levels"), noise.shot_gain,
+               noise.shot_gain_sd);
     comment_effect(twin, "shot", noise.from.english(), 1);
   } else {
     twin.remarks.push_back(
@@ -208,8 +173,8 @@ void write_noise(const TwinNoise& noise, Twin& twin) {
                 "shot noise is absent"));
   }
   if (noise.prnu > 0) {
-    add_figure(
-        twin, "fixed-pattern prnu", en::say("fixed pattern, fraction"), noise.prnu, noise.prnu_sd);
+    add_figure(twin, "fixed-pattern prnu", en::say("fixed pattern, fraction"), noise.prnu,
+               noise.prnu_sd);
     comment_effect(twin, "fixed-pattern", noise.from.english(), 1);
   }
   twin.remarks.push_back(noise.from);
@@ -217,9 +182,7 @@ void write_noise(const TwinNoise& noise, Twin& twin) {
 
 /// Fills figures, remarks, and the comments of the scene. The scene's numbers and residuals are
 /// final.
-void write_figures(const TwinLamps& lamps,
-                   const TwinContact& contact,
-                   const TwinNoise& noise,
+void write_figures(const TwinLamps& lamps, const TwinContact& contact, const TwinNoise& noise,
                    Twin& twin) {
   write_layer(contact, twin);
   write_halo(contact, twin);
@@ -238,9 +201,7 @@ struct RingSums {
 
 /// `twin`, `twin_untouched`: CV_32FC1, of the press and of the untouched finger in its pose;
 /// `middle_px`: of the contact.
-TwinResidual residual_of(const TwinPress& press,
-                         const cv::Mat& twin,
-                         const cv::Mat& twin_untouched,
+TwinResidual residual_of(const TwinPress& press, const cv::Mat& twin, const cv::Mat& twin_untouched,
                          const Eigen::Vector2d& middle_px) {
   TwinResidual result;
   result.press = press.name;
@@ -273,9 +234,7 @@ TwinResidual residual_of(const TwinPress& press,
     if (ring.count == 0) continue;
     const double n = ring.count, difference = (ring.twin - ring.real) / n;
     const double variance = std::max(0.0, ring.difference2 / n - difference * difference);
-    result.profile.push_back({ring.radius / n,
-                              ring.real / n,
-                              ring.twin / n,
+    result.profile.push_back({ring.radius / n, ring.real / n, ring.twin / n,
                               std::sqrt(variance / std::max(1.0, n - 1))});
     profile2 += difference * difference;
     ratio_profile2 += (ring.ratio / n) * (ring.ratio / n);
@@ -296,10 +255,7 @@ struct Wiggle {
   double level, variance;
 };
 
-void collect(const cv::Mat& values,
-             const cv::Mat& used,
-             const cv::Mat& levels,
-             double share,
+void collect(const cv::Mat& values, const cv::Mat& used, const cv::Mat& levels, double share,
              std::vector<Wiggle>& wiggles) {
   cv::Mat_<float> second;
   const cv::Mat mask = (cv::Mat_<float>(3, 3) << 1, -2, 1, -2, 4, -2, 1, -2, 1);
@@ -337,9 +293,8 @@ NoiseLaw law_of(std::vector<Wiggle> wiggles, double rounding) {
   NoiseLaw law;
   law.count = static_cast<double>(wiggles.size());
   if (wiggles.size() < 400) return law;
-  std::sort(wiggles.begin(), wiggles.end(), [](const Wiggle& a, const Wiggle& b) {
-    return a.level < b.level;
-  });
+  std::sort(wiggles.begin(), wiggles.end(),
+            [](const Wiggle& a, const Wiggle& b) { return a.level < b.level; });
   Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
   Eigen::Vector2d right = Eigen::Vector2d::Zero();
   for (int group = 0; group < kLevels; ++group) {
@@ -398,8 +353,7 @@ void put_law(const NoiseLaw& law, TwinNoise& noise) {
 }  // namespace
 
 TwinNoise measure_noise(const std::vector<NoisyImage>& alike,
-                        const std::vector<NoisyImage>& singles,
-                        const Message& what_is_alike) {
+                        const std::vector<NoisyImage>& singles, const Message& what_is_alike) {
   TwinNoise noise;
   std::vector<Wiggle> single;
   for (const NoisyImage& one : singles) {
@@ -439,14 +393,11 @@ namespace {
 constexpr double kPlane_mm = 30;  // plane of an orthographic camera; images do not determine it
 constexpr double kMinLightChange = 5e-4;  // smaller changes of the lamps count as none
 
-Error stopped_twin() {
-  return {en::say("stopped before the twin was found"), "", ""};
-}
+Error stopped_twin() { return {en::say("stopped before the twin was found"), "", ""}; }
 
 Result<TwinScene> start_scene(const TwinInput& input) {
   if (input.presses.empty())
-    return Error{en::say("there is no image of a press"),
-                 "",
+    return Error{en::say("there is no image of a press"), "",
                  en::say("images of a ball of known radius pressed into the face")};
   TwinScene scene;
   scene.name = input.name + " twin";
@@ -461,9 +412,7 @@ Result<TwinScene> start_scene(const TwinInput& input) {
   return scene;
 }
 
-Status take_poses(const TwinInput& input,
-                  TwinScene& scene,
-                  std::vector<TwinPose>& poses,
+Status take_poses(const TwinInput& input, TwinScene& scene, std::vector<TwinPose>& poses,
                   const Job& job) {
   poses.assign(input.presses.size(), TwinPose{});
   if (scene.face.kind == FaceKind::kFlat) return {};
@@ -487,8 +436,7 @@ double mm_per_px_at(const TwinScene& scene, const TwinPress& press) {
 }
 
 /// Initial values of the fit: ball depths from their rims, the halo from the press that shows most.
-void initialise_balls(const TwinInput& input,
-                      const std::vector<TwinPose>& poses,
+void initialise_balls(const TwinInput& input, const std::vector<TwinPose>& poses,
                       TwinScene& scene) {
   double brightest = 0;
   for (std::size_t i = 0; i < input.presses.size(); ++i) {
@@ -499,15 +447,10 @@ void initialise_balls(const TwinInput& input,
         std::min(0.95 * radius, mm_per_px * std::max(rings.rim_px, press.disc_radius_px));
     const double depth = radius - std::sqrt(radius * radius - rim * rim);
     const Eigen::Vector2d position = position_under(scene, poses[i], press.ball_mm);
-    scene.balls.push_back(
-        {press.name,
-         radius,
-         position.x(),
-         position.y(),
-         std::clamp(
-             press.given_depth ? press.given_depth->mm : depth, 0.05, 0.9 * scene.face.layer_mm),
-         1,
-         poses[i]});
+    scene.balls.push_back({press.name, radius, position.x(), position.y(),
+                           std::clamp(press.given_depth ? press.given_depth->mm : depth, 0.05,
+                                      0.9 * scene.face.layer_mm),
+                           1, poses[i]});
     if (rings.brightest <= brightest) continue;
     brightest = rings.brightest;
     // First estimate of the layer from a change of brightness: t dR / (R dt) = 1 / (1 + St).
@@ -567,8 +510,7 @@ TwinNoise noise_of(const TwinInput& input) {
     return measure_noise({}, pressed, "");
   }
   if (untouched.size() > 1 || !is_flat)
-    return measure_noise(untouched,
-                         untouched,
+    return measure_noise(untouched, untouched,
                          en::say("noise is estimated from {} untouched images", untouched.size()));
   const std::vector<NoisyImage> alike{untouched.front(),
                                       {first.grey, outside_contact(first, kTwinReach)}};
@@ -630,8 +572,7 @@ Result<Twin> fit_twin(const TwinInput& input, const Job& job) {
     patches.push_back(patch_of(input.presses[i], *untouched, scene.camera, false));
     if (patches.back().target.size() < 100)
       return Error{
-          en::say("{}: too little around the contact can be compared", input.presses[i].name),
-          "",
+          en::say("{}: too little around the contact can be compared", input.presses[i].name), "",
           en::say("a press further from the face's edges")};
   }
   auto contact = fit_contact(scene, coarse, patches, input.presses, Job(job, 0.3, 0.95));

@@ -160,7 +160,6 @@ struct TwinMeasured {
 /// images that are unreadable, coloured or of another size; those of the finger's reference;
 /// stopped.
 [[nodiscard]] Result<TwinMeasured> measure_for_twin(const FingerSnapshot& finger,
-                                                    const TwinFiles& files,
-                                                    const Job& job);
+                                                    const TwinFiles& files, const Job& job);
 
 }  // namespace alltact

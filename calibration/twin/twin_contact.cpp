@@ -31,10 +31,8 @@ struct ContactUnknown {
 
 class ContactStudy {
  public:
-  ContactStudy(const TwinScene& scene,
-               const std::vector<TwinPatch>& patches,
-               const std::vector<TwinPress>& presses,
-               ContactChoice choice)
+  ContactStudy(const TwinScene& scene, const std::vector<TwinPatch>& patches,
+               const std::vector<TwinPress>& presses, ContactChoice choice)
       : scene_(scene), patches_(patches), presses_(presses) {
     choose(choice);
     for (const TwinPatch& patch : patches) residuals_ += patch.target.size();
@@ -66,24 +64,16 @@ class ContactStudy {
     return scene;
   }
 
-  bool evaluate(const Eigen::VectorXd& x,
-                Eigen::VectorXd& residuals,
+  bool evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& residuals,
                 Eigen::MatrixXd* slopes) const;
   [[nodiscard]] std::vector<int> clusters() const;
   [[nodiscard]] ContactSpread spread_of(const TwinSolution& solution) const;
 
  private:
   void choose(ContactChoice choice);
-  void add_log(double value,
-               double low,
-               double high,
-               double& (*of)(TwinScene&),
+  void add_log(double value, double low, double high, double& (*of)(TwinScene&),
                std::optional<double> ContactSpread::*sd);
-  void add_linear(double value,
-                  double low,
-                  double high,
-                  double unit,
-                  double& (*of)(TwinScene&),
+  void add_linear(double value, double low, double high, double unit, double& (*of)(TwinScene&),
                   std::optional<double> ContactSpread::*sd);
   void add_ball(std::size_t ball, bool with_light);
   bool predict(const TwinScene& scene, std::size_t press, double* means) const;
@@ -99,30 +89,17 @@ class ContactStudy {
 // Weight of a given depth: grey levels a block per standard deviation, over all blocks of a sector.
 constexpr double kGivenDepthGrey = 1.0;
 
-void ContactStudy::add_log(double value,
-                           double low,
-                           double high,
-                           double& (*of)(TwinScene&),
+void ContactStudy::add_log(double value, double low, double high, double& (*of)(TwinScene&),
                            std::optional<double> ContactSpread::*sd) {
-  unknowns_.push_back({std::log(std::clamp(value, low, high)),
-                       std::log(low),
-                       std::log(high),
-                       -1,
+  unknowns_.push_back({std::log(std::clamp(value, low, high)), std::log(low), std::log(high), -1,
                        [of](TwinScene& scene, double x) { of(scene) = std::exp(x); },
                        [sd](ContactSpread& spread) { return &(spread.*sd); },
                        [](double x) { return std::exp(x); }});
 }
 
-void ContactStudy::add_linear(double value,
-                              double low,
-                              double high,
-                              double unit,
-                              double& (*of)(TwinScene&),
-                              std::optional<double> ContactSpread::*sd) {
-  unknowns_.push_back({value / unit,
-                       low / unit,
-                       high / unit,
-                       -1,
+void ContactStudy::add_linear(double value, double low, double high, double unit,
+                              double& (*of)(TwinScene&), std::optional<double> ContactSpread::*sd) {
+  unknowns_.push_back({value / unit, low / unit, high / unit, -1,
                        [of, unit](TwinScene& scene, double x) { of(scene) = unit * x; },
                        [sd](ContactSpread& spread) { return &(spread.*sd); },
                        [unit](double) { return unit; }});
@@ -130,16 +107,9 @@ void ContactStudy::add_linear(double value,
 
 void ContactStudy::add_ball(std::size_t ball, bool with_light) {
   using Ball = ContactSpread::Ball;
-  const auto add = [&](double value,
-                       double low,
-                       double high,
-                       double unit,
-                       double TwinBall::*of,
+  const auto add = [&](double value, double low, double high, double unit, double TwinBall::*of,
                        std::optional<double> Ball::*sd) {
-    unknowns_.push_back({value / unit,
-                         low / unit,
-                         high / unit,
-                         static_cast<int>(ball),
+    unknowns_.push_back({value / unit, low / unit, high / unit, static_cast<int>(ball),
                          [=](TwinScene& scene, double x) { scene.balls[ball].*of = unit * x; },
                          [=](ContactSpread& spread) { return &(spread.balls[ball].*sd); },
                          [unit](double) { return unit; }});
@@ -157,54 +127,31 @@ void ContactStudy::choose(ContactChoice choice) {
   using S = TwinScene;
   using D = ContactSpread;
   add_log(
-      scene_.layer.scatter_per_mm,
-      0.02,
-      20,
-      [](S& s) -> double& { return s.layer.scatter_per_mm; },
+      scene_.layer.scatter_per_mm, 0.02, 20, [](S& s) -> double& { return s.layer.scatter_per_mm; },
       &D::scatter_per_mm);
   if (choice.coat)
     add_linear(
-        std::max(0.001, scene_.layer.coat),
-        1e-6,
-        0.95,
-        1,
-        [](S& s) -> double& { return s.layer.coat; },
-        &D::coat);
+        std::max(0.001, scene_.layer.coat), 1e-6, 0.95, 1,
+        [](S& s) -> double& { return s.layer.coat; }, &D::coat);
   const bool is_hertz = scene_.rolloff == TwinRolloff::kHertz;
   add_log(
-      scene_.rolloff_mm,
-      is_hertz ? 0.01 : 0.02,
-      is_hertz ? 100 : 2,
-      [](S& s) -> double& { return s.rolloff_mm; },
-      &D::rolloff_mm);
+      scene_.rolloff_mm, is_hertz ? 0.01 : 0.02, is_hertz ? 100 : 2,
+      [](S& s) -> double& { return s.rolloff_mm; }, &D::rolloff_mm);
   if (scene_.halo != TwinHalo::kNone) {
     add_linear(
-        scene_.halo_share,
-        1e-6,
-        0.5,
-        0.1,
-        [](S& s) -> double& { return s.halo_share; },
+        scene_.halo_share, 1e-6, 0.5, 0.1, [](S& s) -> double& { return s.halo_share; },
         &D::halo_share);
     add_log(
-        scene_.halo_width_mm,
-        0.1,
-        10,
-        [](S& s) -> double& { return s.halo_width_mm; },
+        scene_.halo_width_mm, 0.1, 10, [](S& s) -> double& { return s.halo_width_mm; },
         &D::halo_width_mm);
   }
   if (scene_.halo == TwinHalo::kExponential)
     add_log(
-        scene_.halo_steepness,
-        0.5,
-        20,
-        [](S& s) -> double& { return s.halo_steepness; },
+        scene_.halo_steepness, 0.5, 20, [](S& s) -> double& { return s.halo_steepness; },
         &D::halo_steepness);
   if (choice.blur)
     add_log(
-        std::max(0.5, scene_.blur_px),
-        0.05,
-        20,
-        [](S& s) -> double& { return s.blur_px; },
+        std::max(0.5, scene_.blur_px), 0.05, 20, [](S& s) -> double& { return s.blur_px; },
         &D::blur_px);
   for (std::size_t ball = 0; ball < scene_.balls.size(); ++ball) add_ball(ball, choice.light);
 }
@@ -237,8 +184,7 @@ bool ContactStudy::predict(const TwinScene& scene, std::size_t press, double* me
   return true;
 }
 
-bool ContactStudy::evaluate(const Eigen::VectorXd& x,
-                            Eigen::VectorXd& residuals_out,
+bool ContactStudy::evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& residuals_out,
                             Eigen::MatrixXd* slopes) const {
   residuals_out.resize(residuals());
   if (slopes) *slopes = Eigen::MatrixXd::Zero(residuals(), x.size());
@@ -315,32 +261,25 @@ struct ContactRound {
 
 class ContactSearch {
  public:
-  ContactSearch(const std::vector<TwinPatch>& patches,
-                const std::vector<TwinPress>& presses,
+  ContactSearch(const std::vector<TwinPatch>& patches, const std::vector<TwinPress>& presses,
                 const Job& job)
       : patches_(patches), presses_(presses), job_(job) {}
 
-  [[nodiscard]] Result<ContactRound> solve(const TwinScene& from,
-                                           ContactChoice choice,
+  [[nodiscard]] Result<ContactRound> solve(const TwinScene& from, ContactChoice choice,
                                            TwinEffort effort) const {
     if (job_.stop_requested()) return Error{en::say("stopped before the twin was found"), "", ""};
     const ContactStudy study(from, patches_, presses_, choice);
-    auto solution = solve_twin(
-        [&](const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd* slopes) {
-          return study.evaluate(x, r, slopes);
-        },
-        study.unknowns(),
-        study.residuals(),
-        effort,
-        job_);
+    auto solution =
+        solve_twin([&](const Eigen::VectorXd& x, Eigen::VectorXd& r,
+                       Eigen::MatrixXd* slopes) { return study.evaluate(x, r, slopes); },
+                   study.unknowns(), study.residuals(), effort, job_);
     if (!solution) return solution.error();
     return ContactRound{study.scene_at(solution->x), study.spread_of(*solution), solution->rms()};
   }
 
   /// One kind of roll-off and halo, first with fixed light: a halo must not be explained by
   /// brighter lamps.
-  [[nodiscard]] Result<ContactRound> solve_kind(TwinScene from,
-                                                TwinRolloff rolloff,
+  [[nodiscard]] Result<ContactRound> solve_kind(TwinScene from, TwinRolloff rolloff,
                                                 TwinHalo halo) const {
     if (from.rolloff != rolloff) from.rolloff_mm = 0.15;
     from.rolloff = rolloff;
@@ -383,11 +322,9 @@ Result<ContactRound> simplify(const ContactSearch& search, ContactRound round) {
 
 }  // namespace
 
-Result<TwinContact> fit_contact(const TwinScene& scene,
-                                const std::vector<TwinPatch>& coarse,
+Result<TwinContact> fit_contact(const TwinScene& scene, const std::vector<TwinPatch>& coarse,
                                 const std::vector<TwinPatch>& patches,
-                                const std::vector<TwinPress>& presses,
-                                const Job& job) {
+                                const std::vector<TwinPress>& presses, const Job& job) {
   const ContactSearch search(coarse, presses, job);
   job.report(0.0, en::say("fitting the presses"));
   // Starts over a black coat, with the visible halo or a typical one. Depth and scattering are
@@ -416,9 +353,7 @@ Result<TwinContact> fit_contact(const TwinScene& scene,
   if (!all) return all.error();
   auto best = simplify(closer, *all);
   if (!best) return best.error();
-  return TwinContact{best->scene,
-                     best->spread,
-                     best->rms,
+  return TwinContact{best->scene, best->spread, best->rms,
                      is_smooth ? TwinRolloff::kHertz : TwinRolloff::kSmooth,
                      (is_smooth ? hertz : smooth)->rms / (is_smooth ? smooth : hertz)->rms};
 }
@@ -435,9 +370,7 @@ cv::Rect view_of(const TwinPatch& patch, const CameraParameters& camera) {
   if (patch.corners.empty()) return full;
   const int side = patch.side_px, border = (kBlurBorder_px / side + 1) * side;
   cv::Rect view = cv::boundingRect(patch.corners);
-  view = cv::Rect(view.x - border,
-                  view.y - border,
-                  view.width + side + 2 * border,
+  view = cv::Rect(view.x - border, view.y - border, view.width + side + 2 * border,
                   view.height + side + 2 * border);
   const int left = std::max(0, view.x), top = std::max(0, view.y);
   view = cv::Rect(left, top, view.br().x - left, view.br().y - top) & full;
@@ -474,9 +407,7 @@ TwinRings rings_of(const TwinPress& press) {
   return rings;
 }
 
-TwinPatch patch_of(const TwinPress& press,
-                   const cv::Mat& untouched,
-                   const CameraParameters& camera,
+TwinPatch patch_of(const TwinPress& press, const cv::Mat& untouched, const CameraParameters& camera,
                    bool is_coarse) {
   TwinPatch patch;
   patch.is_coarse = is_coarse;

@@ -28,10 +28,8 @@ inline constexpr double kTwinReach = 2.75;  // of the dark disc's radius: outsid
 
 /// `untouched`: the twin's image in the press's pose (CV_32FC1). Empty where no block can be
 /// compared. Coarse blocks are three times as wide.
-[[nodiscard]] TwinPatch patch_of(const TwinPress& press,
-                                 const cv::Mat& untouched,
-                                 const CameraParameters& camera,
-                                 bool is_coarse);
+[[nodiscard]] TwinPatch patch_of(const TwinPress& press, const cv::Mat& untouched,
+                                 const CameraParameters& camera, bool is_coarse);
 
 /// Initial estimates for the fit, from the rings of one press.
 struct TwinRings {

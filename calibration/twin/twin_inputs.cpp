@@ -1,9 +1,8 @@
-#include "calibration/twin/twin.h"
-
 #include "calibration/finger/calibration_inputs.h"
 #include "calibration/finger/measuring_presets.h"
 #include "calibration/presses/press.h"
 #include "calibration/reference/reference_recording.h"
+#include "calibration/twin/twin.h"
 #include "core/sensing/face/face_pixels.h"
 #include "core/sensing/pipeline.h"
 
@@ -37,28 +36,24 @@ Result<std::vector<cv::Mat>> read_untouched(const FingerSnapshot& finger,
     files.push_back(finger.folder / reference->image);
   if (files.empty() && (!reference || reference->video.empty()))
     return Error{en::say("there is no untouched image of this finger to compare with"),
-                 finger.folder,
-                 en::say("--reference with an image in which nothing touches it")};
+                 finger.folder, en::say("--reference with an image in which nothing touches it")};
   std::vector<cv::Mat> all;
   for (const std::filesystem::path& file : files) {
     const auto image = read_untouched_image(file);
     if (!image) return image.error();
-    const auto grey = oriented_for(finger.finger.camera,
-                                   image->grey,
-                                   en::say("the untouched image"),
-                                   file,
-                                   en::say("an image of this finger, at the size of its camera"));
+    const auto grey =
+        oriented_for(finger.finger.camera, image->grey, en::say("the untouched image"), file,
+                     en::say("an image of this finger, at the size of its camera"));
     if (!grey) return grey.error();
     all.push_back(*grey);
   }
   return all;
 }
 
-Result<Measuring> make_measuring(const FingerSnapshot& finger,
-                                 const TwinFiles& files,
+Result<Measuring> make_measuring(const FingerSnapshot& finger, const TwinFiles& files,
                                  const Job& job) {
-  Measuring measuring{
-      finger, settings_for_presses(measuring_settings(finger.folder)), {}, {}, {}, {}};
+  Measuring measuring{finger, settings_for_presses(measuring_settings(finger.folder)), {}, {}, {},
+                      {}};
   auto untouched = read_untouched(finger, files.untouched);
   if (!untouched) return untouched.error();
   measuring.untouched = std::move(*untouched);
@@ -102,11 +97,9 @@ Result<AnalysedPress> see(Measuring& measuring, const FramePtr& frame) {
   AnalysedPress seen;
   std::optional<Reference> reference;
   if (measuring.is_flat()) {
-    const auto grey = oriented_for(measuring.finger.finger.camera,
-                                   frame->grey,
-                                   en::say("the image"),
-                                   frame->origin,
-                                   en::say("an image of this finger, at the size of its camera"));
+    const auto grey =
+        oriented_for(measuring.finger.finger.camera, frame->grey, en::say("the image"),
+                     frame->origin, en::say("an image of this finger, at the size of its camera"));
     if (!grey) return grey.error();
     seen.grey = *grey;
     seen.shape = FaceShape::plane(measuring.finger.camera, measuring.finger.finger.face);
@@ -141,10 +134,8 @@ Result<AnalysedPress> see(Measuring& measuring, const FramePtr& frame) {
 }
 
 /// The twin's press, or the reason why there is none.
-Result<TwinPress> press_from(const Measuring& measuring,
-                             const std::string& name,
-                             AnalysedPress seen,
-                             const PressSet& press_set) {
+Result<TwinPress> press_from(const Measuring& measuring, const std::string& name,
+                             AnalysedPress seen, const PressSet& press_set) {
   if (!seen.problem.empty()) return Error{seen.problem, "", ""};
   const PressNote& note = press_set.of(name);
   if (note.excluded) return Error{en::say("excluded"), "", ""};
@@ -176,8 +167,7 @@ Result<PressSet> press_set_for(const FingerSnapshot& finger, const TwinFiles& fi
   if (files.press_set.ball_radius_mm > 0) press_set.ball_radius_mm = files.press_set.ball_radius_mm;
   for (const auto& [name, note] : files.press_set.notes) press_set.say(name, note);
   if (!(press_set.ball_radius_mm > 0))
-    return Error{en::say("the radius of the ball that was pressed is not known"),
-                 finger.folder,
+    return Error{en::say("the radius of the ball that was pressed is not known"), finger.folder,
                  en::say("--ball-radius-mm with the radius of the ball")};
   return press_set;
 }
@@ -187,8 +177,7 @@ Result<PressInput> presses_of(const FingerSnapshot& finger, const TwinFiles& fil
   auto stored = stored_presses(finger.folder);
   if (!stored) return stored.error();
   if (stored->empty())
-    return Error{en::say("no press was specified, and the finger has none"),
-                 finger.folder,
+    return Error{en::say("no press was specified, and the finger has none"), finger.folder,
                  en::say("images of a ball of known radius pressed into its face")};
   PressInput presses;
   presses.files = std::move(*stored);
@@ -197,8 +186,7 @@ Result<PressInput> presses_of(const FingerSnapshot& finger, const TwinFiles& fil
 
 }  // namespace
 
-Result<TwinMeasured> measure_for_twin(const FingerSnapshot& finger,
-                                      const TwinFiles& files,
+Result<TwinMeasured> measure_for_twin(const FingerSnapshot& finger, const TwinFiles& files,
                                       const Job& job) {
   const auto press_set = press_set_for(finger, files);
   if (!press_set) return press_set.error();
@@ -221,8 +209,7 @@ Result<TwinMeasured> measure_for_twin(const FingerSnapshot& finger,
     if (!*frame) break;
     const std::string name = (*frame)->name;
     if (!names.insert(name).second)
-      return Error{en::say("two presses are called '{}'", name),
-                   (*frame)->origin,
+      return Error{en::say("two presses are called '{}'", name), (*frame)->origin,
                    en::say("giving the images different names")};
     auto seen = see(*measuring, *frame);
     if (!seen) return seen.error();
@@ -236,8 +223,7 @@ Result<TwinMeasured> measure_for_twin(const FingerSnapshot& finger,
     if (!names.contains(name)) return Error{en::say("no press is named '{}'", name), "", ""};
   if (measured.input.presses.empty())
     return Error{
-        en::say("no press can be used: {}", en::clauses(measured.left_out)),
-        "",
+        en::say("no press can be used: {}", en::clauses(measured.left_out)), "",
         en::say("images of this finger with the ball pressed 0.3 mm or more into its face")};
   return measured;
 }

@@ -57,8 +57,8 @@ class EffectLines {
     if (first >= 0) text_ += fmt::format("    from: {}\n    until: {}\n", first, end);
     text_ += "    lamps:\n";
     for (const TwinLamp& lamp : scene.lamps) {
-      text_ += fmt::format(
-          "      - {{at_mm: {}, power: {}", numbers(lamp.at_mm), yaml_number(share * lamp.power));
+      text_ += fmt::format("      - {{at_mm: {}, power: {}", numbers(lamp.at_mm),
+                           yaml_number(share * lamp.power));
       if (lamp.aim_mm)
         text_ += fmt::format(", aim_mm: {}, lobe: {}", numbers(*lamp.aim_mm), lamp.lobe);
       text_ += "}\n";
@@ -85,19 +85,15 @@ void add_pose(const TwinScene& scene, EffectLines& lines) {
     bend = std::max({bend, std::ceil(std::abs(pose.q1_mm)), std::ceil(std::abs(pose.q2_mm))});
     sway = std::max(sway, std::ceil(std::abs(pose.sway_mm)));
   }
-  lines.add("bend",
-            fmt::format("q1_mm: {{from: {0}, to: {1}}}, q2_mm: {{from: {0}, to: {1}}}",
-                        yaml_number(-bend),
-                        yaml_number(bend)));
+  lines.add("bend", fmt::format("q1_mm: {{from: {0}, to: {1}}}, q2_mm: {{from: {0}, to: {1}}}",
+                                yaml_number(-bend), yaml_number(bend)));
   lines.add("sway",
             fmt::format("sway_mm: {{from: {}, to: {}}}", yaml_number(-sway), yaml_number(sway)));
 }
 
 std::string pose_text(const TwinPose& pose) {
-  return fmt::format("{{q1_mm: {}, q2_mm: {}, sway_mm: {}}}",
-                     yaml_number(pose.q1_mm),
-                     yaml_number(pose.q2_mm),
-                     yaml_number(pose.sway_mm));
+  return fmt::format("{{q1_mm: {}, q2_mm: {}, sway_mm: {}}}", yaml_number(pose.q1_mm),
+                     yaml_number(pose.q2_mm), yaml_number(pose.sway_mm));
 }
 
 std::string motion_text(const TwinScene& scene) {
@@ -105,12 +101,9 @@ std::string motion_text(const TwinScene& scene) {
   std::string text = fmt::format(
       "untouched: {{x_mm: {}, y_mm: {}, z_mm: {}, incline_deg: {}, "
       "length_mm: {}}}\nmotion:\n  kind: poses\n  poses:\n    - {}\n",
-      yaml_number(scene.base_mm.x()),
-      yaml_number(scene.base_mm.y()),
-      yaml_number(scene.base_mm.z()),
-      yaml_number(scene.incline_rad * 180 / std::numbers::pi),
-      yaml_number(scene.length_mm),
-      pose_text(scene.rest));
+      yaml_number(scene.base_mm.x()), yaml_number(scene.base_mm.y()),
+      yaml_number(scene.base_mm.z()), yaml_number(scene.incline_rad * 180 / std::numbers::pi),
+      yaml_number(scene.length_mm), pose_text(scene.rest));
   for (const TwinBall& ball : scene.balls) text += "    - " + pose_text(ball.pose) + "\n";
   return text;
 }
@@ -121,21 +114,15 @@ void add_contact(const TwinScene& scene, EffectLines& lines) {
     const TwinBall& ball = scene.balls[i];
     lines.add("ball",
               fmt::format("from: {}, until: {}, radius_mm: {}, s_mm: {}, y_mm: {}, depth_mm: {}",
-                          i + 1,
-                          i + 2,
-                          yaml_number(ball.radius_mm),
-                          yaml_number(ball.s_mm),
-                          yaml_number(ball.y_mm),
-                          yaml_number(ball.depth_mm)),
+                          i + 1, i + 2, yaml_number(ball.radius_mm), yaml_number(ball.s_mm),
+                          yaml_number(ball.y_mm), yaml_number(ball.depth_mm)),
               "ball " + ball.press);
   }
-  lines.add("rolloff",
-            fmt::format("from: 1, kind: {}, length_mm: {}",
-                        scene.rolloff == TwinRolloff::kHertz ? "hertz" : "smooth",
-                        yaml_number(scene.rolloff_mm)));
+  lines.add("rolloff", fmt::format("from: 1, kind: {}, length_mm: {}",
+                                   scene.rolloff == TwinRolloff::kHertz ? "hertz" : "smooth",
+                                   yaml_number(scene.rolloff_mm)));
   if (scene.halo == TwinHalo::kNone) return;
-  std::string bulge = fmt::format("from: 1, share: {}, width_mm: {}",
-                                  yaml_number(scene.halo_share),
+  std::string bulge = fmt::format("from: 1, share: {}, width_mm: {}", yaml_number(scene.halo_share),
                                   yaml_number(scene.halo_width_mm));
   if (scene.halo == TwinHalo::kExponential)
     bulge += fmt::format(", tail: exponential, steepness: {}", yaml_number(scene.halo_steepness));
@@ -150,8 +137,8 @@ void add_light(const TwinScene& scene, EffectLines& lines) {
   lines.add("layer", layer + ", along: normal");
   if (scene.room_level > 0)
     lines.add("ambient", fmt::format("level: {}", yaml_number(scene.room_level)));
-  const bool is_even = std::all_of(
-      scene.balls.begin(), scene.balls.end(), [](const TwinBall& b) { return b.light == 1; });
+  const bool is_even = std::all_of(scene.balls.begin(), scene.balls.end(),
+                                   [](const TwinBall& b) { return b.light == 1; });
   if (is_even) return lines.add_lamps(scene, 1, -1, -1);
   lines.add_lamps(scene, 1, 0, 1);
   for (std::size_t i = 0; i < scene.balls.size(); ++i)
@@ -172,12 +159,11 @@ void add_lens(const CameraParameters& camera, EffectLines& lines) {
   if (std::any_of(k.begin(), k.end(), [](double value) { return value != 0; }))
     lines.add("distortion", fmt::format("coefficients: {}", yaml_numbers(k)));
   if (!camera.port) return;
-  lines.add("port",
-            fmt::format("gap_mm: {}, plate_mm: {}, plate_index: {}, medium_index: {}",
-                        yaml_number(camera.port->gap_mm),
-                        yaml_number(camera.port->plate_mm),
-                        yaml_number(camera.port->plate_index),
-                        yaml_number(camera.port->medium_index)));
+  lines.add(
+      "port",
+      fmt::format("gap_mm: {}, plate_mm: {}, plate_index: {}, medium_index: {}",
+                  yaml_number(camera.port->gap_mm), yaml_number(camera.port->plate_mm),
+                  yaml_number(camera.port->plate_index), yaml_number(camera.port->medium_index)));
 }
 
 }  // namespace
@@ -189,14 +175,9 @@ std::string TwinScene::to_yaml(bool with_noise) const {
   add_contact(*this, lines);
   add_light(*this, lines);
   add_sensor(*this, with_noise, lines);
-  return fmt::format("name: {}\nwhy: {}\nframes: {}\nfinger:\n{}{}{}effects:\n{}",
-                     yaml_text(name),
-                     yaml_text(why),
-                     balls.size() + 1,
-                     camera_text(camera),
-                     face_text(face),
-                     motion_text(*this),
-                     lines.text());
+  return fmt::format("name: {}\nwhy: {}\nframes: {}\nfinger:\n{}{}{}effects:\n{}", yaml_text(name),
+                     yaml_text(why), balls.size() + 1, camera_text(camera), face_text(face),
+                     motion_text(*this), lines.text());
 }
 
 TwinScene TwinScene::with_ball(const TwinBall& ball) const {

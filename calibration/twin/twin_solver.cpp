@@ -20,8 +20,7 @@ class TwinCost final : public ceres::CostFunction {
     mutable_parameter_block_sizes()->push_back(static_cast<int>(unknowns));
   }
 
-  bool Evaluate(double const* const* parameters,
-                double* residuals,
+  bool Evaluate(double const* const* parameters, double* residuals,
                 double** jacobians) const override {
     const Eigen::Index n = parameter_block_sizes()[0];
     const Eigen::VectorXd x = Eigen::Map<const Eigen::VectorXd>(parameters[0], n);
@@ -62,11 +61,8 @@ double TwinSolution::rms() const {
   return std::sqrt(residuals.squaredNorm() / static_cast<double>(residuals.size()));
 }
 
-Result<TwinSolution> solve_twin(const TwinModel& model,
-                                const TwinUnknowns& unknowns,
-                                Eigen::Index residuals,
-                                TwinEffort effort,
-                                const Job& job) {
+Result<TwinSolution> solve_twin(const TwinModel& model, const TwinUnknowns& unknowns,
+                                Eigen::Index residuals, TwinEffort effort, const Job& job) {
   const Eigen::Index n = unknowns.start.size();
   TwinSolution solution;
   solution.x = unknowns.start.cwiseMax(unknowns.low).cwiseMin(unknowns.high);
@@ -90,8 +86,7 @@ Result<TwinSolution> solve_twin(const TwinModel& model,
   solution.residuals.resize(residuals);
   if (!summary.IsSolutionUsable() || !solution.x.allFinite() ||
       !model(solution.x, solution.residuals, &solution.jacobian))
-    return Error{en::say("no scene was found with images close to these"),
-                 "",
+    return Error{en::say("no scene was found with images close to these"), "",
                  en::say("images of one ball, pressed in where the entire contact is visible")};
   for (Eigen::Index i = 0; i < n; ++i) {
     const double margin = 1e-6 * std::max(1.0, unknowns.high[i] - unknowns.low[i]);

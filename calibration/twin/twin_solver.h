@@ -19,8 +19,8 @@ struct TwinUnknowns {
 inline constexpr double kTwinStep = 2e-3;  // of forward differences
 
 /// Residuals and, where `jacobian` is not null, their derivatives by the unknowns. False: no image.
-using TwinModel = std::function<bool(
-    const Eigen::VectorXd& x, Eigen::VectorXd& residuals, Eigen::MatrixXd* jacobian)>;
+using TwinModel = std::function<bool(const Eigen::VectorXd& x, Eigen::VectorXd& residuals,
+                                     Eigen::MatrixXd* jacobian)>;
 
 struct TwinSolution {
   Eigen::VectorXd x, residuals;
@@ -38,10 +38,8 @@ struct TwinEffort {
 
 /// Solved by Ceres (Levenberg and Marquardt). Errors: no image at the start; a solution that is not
 /// finite. A stopped job returns the best solution so far.
-[[nodiscard]] Result<TwinSolution> solve_twin(const TwinModel& model,
-                                              const TwinUnknowns& unknowns,
-                                              Eigen::Index residuals,
-                                              TwinEffort effort,
+[[nodiscard]] Result<TwinSolution> solve_twin(const TwinModel& model, const TwinUnknowns& unknowns,
+                                              Eigen::Index residuals, TwinEffort effort,
                                               const Job& job);
 
 /// Standard deviations from a covariance with residuals that are independent between clusters and

@@ -59,8 +59,7 @@ class PoseStudy {
   /// Unknowns: z and y of the base, incline (0.1 rad), and three a shape.
   [[nodiscard]] TwinUnknowns unknowns() const {
     const auto n = static_cast<Eigen::Index>(3 + kPoseUnknowns * rays_.size());
-    TwinUnknowns u{Eigen::VectorXd::Zero(n),
-                   Eigen::VectorXd::Constant(n, -60),
+    TwinUnknowns u{Eigen::VectorXd::Zero(n), Eigen::VectorXd::Constant(n, -60),
                    Eigen::VectorXd::Constant(n, 60)};
     u.start[0] = start_.base_mm.z(), u.low[0] = 1, u.high[0] = 1000;
     u.start[1] = start_.base_mm.y();
@@ -101,8 +100,7 @@ class PoseStudy {
     }
     return true;
   }
-  bool evaluate(const Eigen::VectorXd& x,
-                Eigen::VectorXd& residuals_out,
+  bool evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& residuals_out,
                 Eigen::MatrixXd* slopes) const {
     residuals_out.resize(residuals());
     if (!residuals_at(x, residuals_out)) return false;
@@ -150,24 +148,17 @@ Result<TwinPoses> fit_poses(const std::vector<const FaceShape*>& shapes, const J
   for (const FaceShape* shape : shapes) {
     rays.push_back(middle_rays(*shape));
     if (rays.back().size() < 12)
-      return Error{en::say("too little of the finger's length is visible"),
-                   "",
+      return Error{en::say("too little of the finger's length is visible"), "",
                    en::say("images in which the entire face is visible")};
     if (!shape->base_at_low_u())
       return Error{
-          en::say("the finger's base is on the right of the image, which no scene supports"),
-          "",
+          en::say("the finger's base is on the right of the image, which no scene supports"), "",
           en::say("camera.orientation: flip_u in finger.yaml")};
   }
   const PoseStudy study(straight_start(shapes, rays.front()), rays);
-  auto solution = solve_twin(
-      [&](const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd* slopes) {
-        return study.evaluate(x, r, slopes);
-      },
-      study.unknowns(),
-      study.residuals(),
-      {100, 1e-10},
-      job);
+  auto solution = solve_twin([&](const Eigen::VectorXd& x, Eigen::VectorXd& r,
+                                 Eigen::MatrixXd* slopes) { return study.evaluate(x, r, slopes); },
+                             study.unknowns(), study.residuals(), {100, 1e-10}, job);
   if (!solution) return solution.error();
   TwinPoses poses = study.at(solution->x);
   double sum = 0;
@@ -181,8 +172,7 @@ Result<TwinPoses> fit_poses(const std::vector<const FaceShape*>& shapes, const J
   return poses;
 }
 
-Eigen::Vector2d position_under(const TwinScene& scene,
-                               const TwinPose& pose,
+Eigen::Vector2d position_under(const TwinScene& scene, const TwinPose& pose,
                                const Eigen::Vector3d& ball_mm) {
   if (scene.face.kind == FaceKind::kFlat) return ball_mm.head<2>();
   const TwinPoses poses{scene.base_mm, scene.incline_rad, scene.length_mm, {}, 0};
@@ -230,8 +220,7 @@ class LampStudy {
     for (std::size_t i = 0; i < study.poses_.size(); ++i)
       study.add_pixels(static_cast<int>(i), target);
     if (target.size() < 50)
-      return Error{en::say("too little of the untouched face is visible"),
-                   "",
+      return Error{en::say("too little of the untouched face is visible"), "",
                    en::say("images in which the entire face is visible")};
     study.target_ =
         Eigen::Map<Eigen::VectorXd>(target.data(), static_cast<Eigen::Index>(target.size()));
@@ -290,8 +279,7 @@ class LampStudy {
     const double z = scene_.face.plane_z_mm;
     const double mm_per_px = c.model == CameraModel::kOrthographic ? c.mm_per_px : z / c.fx_px;
     face_.middle_mm = {mm_per_px * (0.5 * (c.width_px - 1) - c.cx_px),
-                       mm_per_px * (0.5 * (c.height_px - 1) - c.cy_px),
-                       z};
+                       mm_per_px * (0.5 * (c.height_px - 1) - c.cy_px), z};
     face_.reach_mm = 0.5 * mm_per_px * std::hypot(c.width_px, c.height_px);
   }
 
@@ -323,10 +311,8 @@ std::vector<TwinLamp> LampStudy::candidates() const {
   for (const double part : {0.2, 0.5, 0.8, 1.1})
     for (const double z : {0.0, -1.5})
       for (const int lobe : {2, 8})
-        all.push_back({Eigen::Vector3d(0, 0, unit * z),
-                       0,
-                       Eigen::Vector3d(scene_.base_mm + part * scene_.length_mm * along),
-                       lobe});
+        all.push_back({Eigen::Vector3d(0, 0, unit * z), 0,
+                       Eigen::Vector3d(scene_.base_mm + part * scene_.length_mm * along), lobe});
   return all;
 }
 
@@ -387,8 +373,7 @@ struct LampUnknowns {
     return lamp;
   }
 
-  bool evaluate(const Eigen::VectorXd& x,
-                Eigen::VectorXd& residuals,
+  bool evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& residuals,
                 Eigen::MatrixXd* slopes) const {
     const Eigen::VectorXd room = study.room_light();
     residuals = 10 * x[x.size() - 1] * room - study.target();
@@ -420,20 +405,13 @@ struct LampRound {
   TwinSolution solution;
 };
 
-Result<LampRound> refine(const LampStudy& study,
-                         std::vector<TwinLamp> lamps,
-                         double room,
-                         TwinEffort effort,
-                         const Job& job) {
+Result<LampRound> refine(const LampStudy& study, std::vector<TwinLamp> lamps, double room,
+                         TwinEffort effort, const Job& job) {
   const LampUnknowns unknowns{study, std::move(lamps)};
-  auto solution = solve_twin(
-      [&](const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd* slopes) {
-        return unknowns.evaluate(x, r, slopes);
-      },
-      unknowns.unknowns(room),
-      study.target().size(),
-      effort,
-      job);
+  auto solution =
+      solve_twin([&](const Eigen::VectorXd& x, Eigen::VectorXd& r,
+                     Eigen::MatrixXd* slopes) { return unknowns.evaluate(x, r, slopes); },
+                 unknowns.unknowns(room), study.target().size(), effort, job);
   if (!solution) return solution.error();
   LampRound round;
   for (std::size_t i = 0; i < unknowns.lamps.size(); ++i)
@@ -463,8 +441,7 @@ std::size_t best_candidate(const std::vector<Eigen::VectorXd>& lights,
 
 }  // namespace
 
-Result<TwinLamps> fit_lamps(const TwinScene& scene,
-                            const std::vector<TwinUntouched>& untouched,
+Result<TwinLamps> fit_lamps(const TwinScene& scene, const std::vector<TwinUntouched>& untouched,
                             const Job& job) {
   auto study = LampStudy::create(scene, untouched);
   if (!study) return study.error();
@@ -477,8 +454,8 @@ Result<TwinLamps> fit_lamps(const TwinScene& scene,
     lights.push_back(std::move(*light));
   }
   if (candidates.empty())
-    return Error{
-        en::say("no lamp would light the face"), "", en::say("checking the finger's face")};
+    return Error{en::say("no lamp would light the face"), "",
+                 en::say("checking the finger's face")};
   std::optional<LampRound> best;
   while (!best || best->lamps.size() < kMaxLamps) {
     if (job.stop_requested()) return Error{en::say("stopped before the twin was found"), "", ""};
@@ -505,8 +482,7 @@ Result<TwinLamps> fit_lamps(const TwinScene& scene,
     if (best->solution.rms() < kGreyTolerance) break;
   }
   if (!best)
-    return Error{en::say("no lamp reproduces the untouched image"),
-                 "",
+    return Error{en::say("no lamp reproduces the untouched image"), "",
                  en::say("checking the finger's face")};
   auto last = refine(*study, best->lamps, best->room, {30, 1e-5}, job);
   if (!last) return last.error();

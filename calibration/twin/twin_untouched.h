@@ -29,8 +29,7 @@ struct TwinPoses {
 
 /// Position on the untouched outer side under a ball's centre, as the effect `ball` defines it (s,
 /// y); of a flat sensor x and y.
-[[nodiscard]] Eigen::Vector2d position_under(const TwinScene& scene,
-                                             const TwinPose& pose,
+[[nodiscard]] Eigen::Vector2d position_under(const TwinScene& scene, const TwinPose& pose,
                                              const Eigen::Vector3d& ball_mm);
 
 // Lamps that reproduce the light of a finger.

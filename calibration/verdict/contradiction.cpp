@@ -6,11 +6,10 @@
 namespace alltact {
 namespace {
 
-constexpr std::array kContradictionWords{std::string_view("contact_wider_than_ball"),
-                                         std::string_view("contact_deeper_than_layer"),
-                                         std::string_view("depth_beyond_mapping"),
-                                         std::string_view("face_width_against_camera"),
-                                         std::string_view("reference_touched")};
+constexpr std::array kContradictionWords{
+    std::string_view("contact_wider_than_ball"), std::string_view("contact_deeper_than_layer"),
+    std::string_view("depth_beyond_mapping"), std::string_view("face_width_against_camera"),
+    std::string_view("reference_touched")};
 
 /// "2.17 to 2.44 mm", "2.17 mm".
 Message range_mm(const Contradiction& one) {
@@ -41,45 +40,33 @@ Message sentence(const Contradiction& one) {
           "({3} radius): check the ball's radius",
           "{0} of {1} presses has a dark part wider than the ball of {2:.2f} mm diameter "
           "({3} radius): check the ball's radius",
-          count,
-          of,
-          2 * one.given_mm,
-          range_mm(one));
+          count, of, 2 * one.given_mm, range_mm(one));
     case ContradictionKind::kContactDeeperThanLayer:
       return en::count(
           "{0} of {1} presses are deeper than the layer of {2:.2f} mm ({3}): check the layer's "
           "thickness and the ball's radius",
           "{0} of {1} presses is deeper than the layer of {2:.2f} mm ({3}): check the layer's "
           "thickness and the ball's radius",
-          count,
-          of,
-          one.given_mm,
-          range_mm(one));
+          count, of, one.given_mm, range_mm(one));
     case ContradictionKind::kDepthBeyondMapping:
       return en::count(
           "{0} of {1} presses are darker than the mapping reaches ({3} deep, the mapping ends at "
           "{2:.2f} mm): calibrate again with them",
           "{0} of {1} presses is darker than the mapping reaches ({3} deep, the mapping ends at "
           "{2:.2f} mm): calibrate again with it",
-          count,
-          of,
-          one.given_mm,
-          range_mm(one));
+          count, of, one.given_mm, range_mm(one));
     case ContradictionKind::kFaceWidthAgainstCamera:
       return en::say(
           "the specified face width is {:.2f} mm, but camera and presses show {}: check the width "
           "and the lens",
-          one.given_mm,
-          range_mm(one));
+          one.given_mm, range_mm(one));
     case ContradictionKind::kReferenceContact:
       break;
   }
   return en::say(
       "in {} of {} presses the face is brighter than its reference {:.0f} mm along it: something "
       "pressed there when the reference was recorded; record it again, then calibrate again",
-      count,
-      of,
-      one.measured_mm);
+      count, of, one.measured_mm);
 }
 
 RecordedContradiction recorded(const Contradiction& one) {

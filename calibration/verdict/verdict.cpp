@@ -24,9 +24,7 @@ constexpr double kCalibrationDays = 365;
 // Half of the presses may be wrong before a robust estimate breaks down.
 constexpr double kMaxLeftOut = 0.5;
 
-double square(double x) {
-  return x * x;
-}
+double square(double x) { return x * x; }
 
 /// The mean depth under a ball's cap, as a part of its deepest: depth is spread evenly from 0 to
 /// the deepest over the contact's area.
@@ -69,9 +67,8 @@ std::vector<ErrorPart> parts_of(const CalibrationEvidence& e) {
   for (ErrorPart& part : parts)
     if (!std::isfinite(part.error_mm)) part.error_mm = std::numeric_limits<double>::infinity();
   std::erase_if(parts, [](const ErrorPart& part) { return part.error_mm == 0; });
-  std::stable_sort(parts.begin(), parts.end(), [](const ErrorPart& a, const ErrorPart& b) {
-    return a.error_mm > b.error_mm;
-  });
+  std::stable_sort(parts.begin(), parts.end(),
+                   [](const ErrorPart& a, const ErrorPart& b) { return a.error_mm > b.error_mm; });
   return parts;
 }
 
@@ -116,9 +113,8 @@ Message contradictions(const CalibrationEvidence& e, bool ruling_out) {
 }
 
 bool has_contradiction(const CalibrationEvidence& e, bool ruling_out) {
-  return std::any_of(e.contradictions.begin(), e.contradictions.end(), [&](const auto& one) {
-    return rules_out_use(one.kind) == ruling_out;
-  });
+  return std::any_of(e.contradictions.begin(), e.contradictions.end(),
+                     [&](const auto& one) { return rules_out_use(one.kind) == ruling_out; });
 }
 
 /// "width, camera and layer".
@@ -189,8 +185,8 @@ Message word_of(Grade grade) {
 }
 
 std::string_view to_string(ErrorCause cause) {
-  constexpr std::array<std::string_view, 7> kWords{
-      "shape", "scale", "pixel", "zone", "halo", "radius", "body"};
+  constexpr std::array<std::string_view, 7> kWords{"shape", "scale",  "pixel", "zone",
+                                                   "halo",  "radius", "body"};
   return kWords.at(static_cast<std::size_t>(cause) - 1);
 }
 
@@ -229,17 +225,9 @@ Message third_name(bool is_flat, std::size_t third) {
 }
 
 std::string_view to_string(FingerDue due) {
-  constexpr std::array<std::string_view, 11> kWords{"nothing",
-                                                    "recording",
-                                                    "calibration",
-                                                    "first_check",
-                                                    "check",
-                                                    "look",
-                                                    "again",
-                                                    "repair",
-                                                    "repeat",
-                                                    "evidence",
-                                                    "more_presses"};
+  constexpr std::array<std::string_view, 11> kWords{
+      "nothing", "recording", "calibration", "first_check", "check",       "look",
+      "again",   "repair",    "repeat",      "evidence",    "more_presses"};
   return kWords.at(static_cast<std::size_t>(due) - 1);
 }
 
@@ -303,20 +291,15 @@ CalibrationEvidence evidence_of(const Finger& finger) {
 
 const std::vector<Requirement>& calibration_requirements() {
   static const std::vector<Requirement> kRequirements{
-      {"reference_whole",
-       Grade::kUnfit,
+      {"reference_whole", Grade::kUnfit,
        [](const Evidence& e, double) { return e.reference == ReferenceState::kIntact; },
        [](const Evidence& e, double) { return sentence(e.reference); }},
-      {"numbers_unchanged",
-       Grade::kUnfit,
-       [](const Evidence& e, double) { return e.changed.empty(); },
-       changed_numbers},
-      {"ball_possible",
-       Grade::kUnfit,
+      {"numbers_unchanged", Grade::kUnfit,
+       [](const Evidence& e, double) { return e.changed.empty(); }, changed_numbers},
+      {"ball_possible", Grade::kUnfit,
        [](const Evidence& e, double) { return !has_contradiction(e, true); },
        [](const Evidence& e, double) { return contradictions(e, true); }},
-      {"error_usable",
-       Grade::kUnfit,
+      {"error_usable", Grade::kUnfit,
        // Too few positions are no evidence against the presses: see "positions" below.
        [](const Evidence& e, double error_mm) {
          const bool is_open = e.has_basis && e.positions < kGoodPositions && error_mm > 0;
@@ -325,29 +308,21 @@ const std::vector<Requirement>& calibration_requirements() {
        [](const Evidence&, double) {
          return en::say("press again with a clean ball of the given radius, entirely on the face");
        }},
-      {"numbers_consistent",
-       Grade::kUnproven,
+      {"numbers_consistent", Grade::kUnproven,
        [](const Evidence& e, double) { return !has_contradiction(e, false); },
        [](const Evidence& e, double) { return contradictions(e, false); }},
-      {"basis_stored",
-       Grade::kUnproven,
-       [](const Evidence& e, double) { return e.has_basis; },
+      {"basis_stored", Grade::kUnproven, [](const Evidence& e, double) { return e.has_basis; },
        [](const Evidence& e, double) {
          return en::say("an earlier version calibrated it and stored too little: {}",
                         e.repeat_command);
        }},
-      {"reference_older",
-       Grade::kUnproven,
-       [](const Evidence& e, double) { return !e.reference_is_newer; },
-       newer_reference},
-      {"complete",
-       Grade::kUnproven,
-       [](const Evidence& e, double) { return e.is_complete; },
+      {"reference_older", Grade::kUnproven,
+       [](const Evidence& e, double) { return !e.reference_is_newer; }, newer_reference},
+      {"complete", Grade::kUnproven, [](const Evidence& e, double) { return e.is_complete; },
        [](const Evidence& e, double) {
          return en::say("the calibration was stopped before its end: {}", e.repeat_command);
        }},
-      {"held_out",
-       Grade::kUnproven,
+      {"held_out", Grade::kUnproven,
        [](const Evidence& e, double) { return e.presses > 1 && e.held_out_mm > 0; },
        [](const Evidence& e, double) {
          return e.presses > 1 ? en::say("no press was left out to show the error on others")
@@ -355,30 +330,25 @@ const std::vector<Requirement>& calibration_requirements() {
                                     "one press cannot show the error on others; add presses of "
                                     "different depth");
        }},
-      {"presses",
-       Grade::kUnproven,
+      {"presses", Grade::kUnproven,
        [](const Evidence& e, double) { return e.presses >= kGoodPresses; },
        [](const Evidence& e, double) {
          return en::say("{} of {} presses needed; add more", e.presses, kGoodPresses);
        }},
-      {"positions",
-       Grade::kUnproven,
+      {"positions", Grade::kUnproven,
        [](const Evidence& e, double) { return !e.has_basis || e.positions >= kGoodPositions; },
        [](const Evidence& e, double) {
          return en::count("all presses are at {0} positions, {1} are needed; press at others",
                           "all presses are at {0} position, {1} are needed; press at others",
-                          e.positions,
-                          kGoodPositions);
+                          e.positions, kGoodPositions);
        }},
-      {"thirds",
-       Grade::kUnproven,
+      {"thirds", Grade::kUnproven,
        [](const Evidence& e, double) {
          return !e.has_basis ||
                 std::none_of(e.thirds.begin(), e.thirds.end(), [](int n) { return n == 0; });
        },
        missing_thirds},
-      {"depths",
-       Grade::kUnproven,
+      {"depths", Grade::kUnproven,
        [](const Evidence& e, double) {
          return !e.has_basis || e.deepest_mm >= kDepthRatio * e.shallowest_mm;
        },
@@ -386,34 +356,28 @@ const std::vector<Requirement>& calibration_requirements() {
          return en::say("all presses are about {:.2f} mm deep; press shallower and deeper as well",
                         e.deepest_mm);
        }},
-      {"scale_known",
-       Grade::kUnproven,
+      {"scale_known", Grade::kUnproven,
        [](const Evidence& e, double) { return !e.has_basis || e.scale_sd_mm > 0; },
        [](const Evidence&, double) {
          return en::say("the presses do not show how certain the scale is; add presses");
        }},
-      {"few_left_out",
-       Grade::kUnproven,
+      {"few_left_out", Grade::kUnproven,
        [](const Evidence& e, double) {
          return e.left_out <= kMaxLeftOut * (e.presses + e.left_out);
        },
        [](const Evidence& e, double) {
-         return en::say("{} of {} presses had to be left out; find out why",
-                        e.left_out,
+         return en::say("{} of {} presses had to be left out; find out why", e.left_out,
                         e.presses + e.left_out);
        }},
-      {"fresh",
-       Grade::kUnproven,
+      {"fresh", Grade::kUnproven,
        [](const Evidence& e, double) {
          return !e.days_unchecked || *e.days_unchecked <= kCalibrationDays;
        },
        [](const Evidence& e, double) {
          return en::say("neither calibrated nor checked for {:.0f} days; check it with {} presses",
-                        e.days_unchecked.value_or(0.0),
-                        kCheckPresses);
+                        e.days_unchecked.value_or(0.0), kCheckPresses);
        }},
-      {"error_good",
-       Grade::kUsable,
+      {"error_good", Grade::kUsable,
        [](const Evidence&, double error_mm) { return error_mm <= kGoodErrorMm; },
        [](const Evidence&, double error_mm) {
          return error_mm <= kUsableErrorMm
@@ -433,8 +397,8 @@ Message rests_on(const Evidence& e) {
   if (radii_mm.size() == 1) {
     numbers.push_back(en::say("ball of {:.2f} mm diameter", 2 * radii_mm.front()));
   } else if (radii_mm.size() > 1) {
-    numbers.push_back(en::say(
-        "balls of {:.2f} to {:.2f} mm diameter", 2 * radii_mm.front(), 2 * radii_mm.back()));
+    numbers.push_back(en::say("balls of {:.2f} to {:.2f} mm diameter", 2 * radii_mm.front(),
+                              2 * radii_mm.back()));
   }
   if (e.has_basis) numbers.push_back(en::say("layer {:.2f} mm", e.layer_mm));
   if (e.has_basis && e.width_mm > 0)
@@ -563,9 +527,8 @@ bool is_same_position(const ContactSpot& a, const ContactSpot& b) {
 std::vector<int> position_numbers(const std::vector<ContactSpot>& spots) {
   std::vector<std::size_t> order(spots.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
-    return is_before(spots[i], spots[j]);
-  });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t i, std::size_t j) { return is_before(spots[i], spots[j]); });
   std::vector<int> numbers(spots.size(), 0);
   std::vector<std::size_t> first;  // of each position
   for (const std::size_t i : order) {

@@ -124,8 +124,7 @@ Status replace(const fs::path& requested,
     return system_error(kWriting, requested, EISDIR);
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   if (!fs::exists(folder, ignored) && !ignored)
-    return Error{en::at(kWriting, en::say("its folder does not exist")),
-                 requested.string(),
+    return Error{en::at(kWriting, en::say("its folder does not exist")), requested.string(),
                  en::say("create the folder first, or check the path for typing errors")};
 
   auto [number, path] = create_temporary(file);
@@ -193,8 +192,7 @@ Result<std::string> read_file(const fs::path& file, std::size_t limit_bytes) {
   if (::fstat(descriptor.number(), &status) != 0) return system_error(kReading, file, errno);
   if (S_ISDIR(status.st_mode)) return system_error(kReading, file, EISDIR);
   const Error too_large{en::at(kReading, en::say("it is larger than {} bytes", limit_bytes)),
-                        file.string(),
-                        en::say("check that it is the right file")};
+                        file.string(), en::say("check that it is the right file")};
   if (static_cast<std::size_t>(status.st_size) > limit_bytes) return too_large;
 
   // The size is a hint only: pipes have none, and a file may grow while it is read.
@@ -229,8 +227,8 @@ Status make_folder(const fs::path& folder) {
   if (!error && fs::is_directory(folder, error)) return {};
   const int number = error ? error.value() : ENOTDIR;
   // An existing file gives two different errors, depending on its position in the path.
-  return system_error(
-      en::say("could not create the folder"), folder, number == EEXIST ? ENOTDIR : number);
+  return system_error(en::say("could not create the folder"), folder,
+                      number == EEXIST ? ENOTDIR : number);
 }
 
 namespace {
@@ -280,16 +278,14 @@ std::optional<std::string> path_with_link(const fs::path& folder, const ChangeLi
 }
 
 Error leads_elsewhere(const fs::path& folder, const std::string& name) {
-  return {en::say("{} lies in a folder that is a link to elsewhere", name),
-          folder,
+  return {en::say("{} lies in a folder that is a link to elsewhere", name), folder,
           en::say("putting that folder itself there instead of the link")};
 }
 
 Result<ChangeList> list_in(const fs::path& folder) {
   const auto text = read_file(folder / kList);
   if (!text) return text.error();
-  const Error broken{en::say("this is not a list of files to be changed"),
-                     folder / kList,
+  const Error broken{en::say("this is not a list of files to be changed"), folder / kList,
                      en::say("removing it; the finger's files are then some old, some new")};
   std::istringstream lines(*text);
   ChangeList list;
@@ -449,8 +445,7 @@ Error held_by(const std::string& who, const std::filesystem::path& file) {
 
 }  // namespace
 
-Result<LockFile> LockFile::hold(const std::filesystem::path& file,
-                                const std::string& who,
+Result<LockFile> LockFile::hold(const std::filesystem::path& file, const std::string& who,
                                 std::chrono::milliseconds timeout) {
   const auto end = std::chrono::steady_clock::now() + timeout;
   while (true) {
@@ -496,11 +491,8 @@ LockFile::~LockFile() {
 std::string this_process(const std::string& doing) {
   std::array<char, 256> computer{};
   if (gethostname(computer.data(), computer.size() - 1) != 0) computer[0] = '?';
-  return fmt::format("{}, process {} on {}, since {:%H:%M:%S} UTC",
-                     doing,
-                     getpid(),
-                     computer.data(),
-                     fmt::gmtime(std::time(nullptr)));
+  return fmt::format("{}, process {} on {}, since {:%H:%M:%S} UTC", doing, getpid(),
+                     computer.data(), fmt::gmtime(std::time(nullptr)));
 }
 
 }  // namespace alltact

@@ -45,8 +45,8 @@ void remove_oldest(const fs::path& cache, std::size_t max_entries) {
   }
   std::sort(entries.begin(), entries.end(), std::greater<>());
   if (entries.size() > max_entries)
-    removable.insert(
-        removable.end(), entries.begin() + static_cast<std::ptrdiff_t>(max_entries), entries.end());
+    removable.insert(removable.end(), entries.begin() + static_cast<std::ptrdiff_t>(max_entries),
+                     entries.end());
   for (const auto& one : removable) fs::remove_all(one.second, failed);
 }
 

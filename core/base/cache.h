@@ -43,10 +43,8 @@ class SharedValues {
   /// Errors: those of `make`, a function that returns a Result<std::shared_ptr<const T>>; `stopped`
   /// when the job was stopped while waiting.
   template <class Make>
-  [[nodiscard]] Result<std::shared_ptr<const T>> get(const std::string& key,
-                                                     const Job& job,
-                                                     const Error& stopped,
-                                                     Make make) {
+  [[nodiscard]] Result<std::shared_ptr<const T>> get(const std::string& key, const Job& job,
+                                                     const Error& stopped, Make make) {
     std::unique_lock lock(mutex_);
     erase_expired();
     while (values_[key].is_making) {

@@ -41,8 +41,7 @@ void append_unescaped(std::string& text, std::string_view words) {
   }
 }
 
-std::string filled(std::string_view words,
-                   const std::vector<Message>& parts,
+std::string filled(std::string_view words, const std::vector<Message>& parts,
                    const Message::Language& language) {
   std::string text;
   std::size_t begin = 0, next = 0;
@@ -72,8 +71,8 @@ Message Message::typed(std::string text) {
   return compose(Kind::kTyped, std::move(text), {}, -1, {});
 }
 
-Message Message::compose(
-    Kind kind, std::string words, std::string context, long count, std::vector<Message> parts) {
+Message Message::compose(Kind kind, std::string words, std::string context, long count,
+                         std::vector<Message> parts) {
   Message message;
   message.kind_ = kind;
   message.words_ = std::move(words);

@@ -31,8 +31,8 @@ class Message {
 
   /// Composes a message from the values of kind(), words() and so on, for example from another
   /// process. `parts` fill the holes of `words`; surplus holes stay empty.
-  [[nodiscard]] static Message compose(
-      Kind kind, std::string words, std::string context, long count, std::vector<Message> parts);
+  [[nodiscard]] static Message compose(Kind kind, std::string words, std::string context,
+                                       long count, std::vector<Message> parts);
 
   [[nodiscard]] bool empty() const { return words_.empty(); }
   [[nodiscard]] Kind kind() const { return kind_; }
@@ -71,8 +71,7 @@ namespace detail {
 std::string hole_of(std::string_view words, std::size_t part);
 
 template <class T>
-Message part_of([[maybe_unused]] std::string_view words,
-                [[maybe_unused]] std::size_t index,
+Message part_of([[maybe_unused]] std::string_view words, [[maybe_unused]] std::size_t index,
                 const T& part) {
   static_assert(!std::is_array_v<T> && !std::is_pointer_v<T>,
                 "text in a hole is a message of its own, or a std::string that somebody typed");
@@ -101,8 +100,7 @@ std::vector<Message> parts_of([[maybe_unused]] std::string_view words, const T&.
 template <class T>
 using Checked =
     std::conditional_t<std::is_same_v<T, Message> || std::is_same_v<T, std::filesystem::path>,
-                       std::string,
-                       T>;
+                       std::string, T>;
 
 template <class... T>
 using Words = fmt::format_string<const Checked<T>&...>;
@@ -114,10 +112,7 @@ using Words = fmt::format_string<const Checked<T>&...>;
 template <class... T>
 [[nodiscard]] Message say(std::type_identity_t<detail::Words<T...>> words, const T&... parts) {
   const fmt::string_view text = words;
-  return Message::compose(Message::Kind::kTemplate,
-                          std::string(text.data(), text.size()),
-                          {},
-                          -1,
+  return Message::compose(Message::Kind::kTemplate, std::string(text.data(), text.size()), {}, -1,
                           detail::parts_of({text.data(), text.size()}, parts...));
 }
 
@@ -125,15 +120,12 @@ template <class... T>
 /// or for {0}.
 template <class N, class... T>
 [[nodiscard]] Message count(std::type_identity_t<detail::Words<N, T...>> many,
-                            std::type_identity_t<detail::Words<N, T...>> one,
-                            N count,
+                            std::type_identity_t<detail::Words<N, T...>> one, N count,
                             const T&... parts) {
   static_assert(std::is_integral_v<N>);
   const fmt::string_view text = many, single = one;
-  return Message::compose(Message::Kind::kCounted,
-                          std::string(text.data(), text.size()),
-                          std::string(single.data(), single.size()),
-                          static_cast<long>(count),
+  return Message::compose(Message::Kind::kCounted, std::string(text.data(), text.size()),
+                          std::string(single.data(), single.size()), static_cast<long>(count),
                           detail::parts_of({text.data(), text.size()}, count, parts...));
 }
 

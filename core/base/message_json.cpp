@@ -24,14 +24,12 @@ Message message_within(const Json& json, int depth) {
   if (const auto list = json.find("parts"); list != json.end() && list->is_array())
     for (const Json& part : *list) parts.push_back(message_within(part, depth + 1));
   if (json.contains("say"))
-    return Message::compose(
-        Message::Kind::kTemplate, text_at(json, "say"), text_at(json, "of"), -1, std::move(parts));
+    return Message::compose(Message::Kind::kTemplate, text_at(json, "say"), text_at(json, "of"), -1,
+                            std::move(parts));
   if (json.contains("many")) {
     const auto count = json.find("count");
     return Message::compose(
-        Message::Kind::kCounted,
-        text_at(json, "many"),
-        text_at(json, "one"),
+        Message::Kind::kCounted, text_at(json, "many"), text_at(json, "one"),
         count != json.end() && count->is_number_integer() ? count->get<long>() : -1,
         std::move(parts));
   }
@@ -69,8 +67,6 @@ Json message_json(const Message& message) {
   return json;
 }
 
-Message message_of(const Json& json) {
-  return message_within(json, 0);
-}
+Message message_of(const Json& json) { return message_within(json, 0); }
 
 }  // namespace alltact

@@ -4,9 +4,7 @@
 
 namespace alltact {
 
-std::string program_version() {
-  return ALLTACT_VERSION;
-}
+std::string program_version() { return ALLTACT_VERSION; }
 
 std::filesystem::path binary_of(const void* function) {
   Dl_info info{};
@@ -26,8 +24,7 @@ Result<std::filesystem::path> find_resource(const std::filesystem::path& name) {
     const fs::path file = (own / up / "share/alltact" / name).lexically_normal();
     if (fs::exists(file, failed)) return file;
   }
-  return Error{en::say("this file of the program is missing"),
-               name.string(),
+  return Error{en::say("this file of the program is missing"), name.string(),
                en::say("installing the program again")};
 }
 

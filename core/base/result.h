@@ -82,8 +82,7 @@ using Status = Result<void>;
 
 /// `doing`: the attempt ("could not write the file"); error_number: errno of the failed call. The
 /// error's `where` is the path, its advice a remedy for that kind of failure.
-[[nodiscard]] Error system_error(const Message& doing,
-                                 const std::filesystem::path& path,
+[[nodiscard]] Error system_error(const Message& doing, const std::filesystem::path& path,
                                  int error_number);
 
 /// Reason and remedy for an errno. An empty reason: the system's own text.
@@ -92,9 +91,7 @@ struct FailureWords {
 };
 
 /// The error "doing: reason".
-[[nodiscard]] Error errno_error(const Message& doing,
-                                Where where,
-                                const FailureWords& words,
+[[nodiscard]] Error errno_error(const Message& doing, Where where, const FailureWords& words,
                                 int error_number);
 
 }  // namespace alltact

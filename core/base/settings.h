@@ -69,8 +69,8 @@ struct Setting {
 template <class S, class T>
 Setting<S> number_setting(std::string name, Message sentence, T S::*member, T low, T high) {
   Setting<S> setting{std::move(name), std::move(sentence), {}, {}, {}};
-  setting.range.numbers = SettingRange::Numbers{
-      static_cast<double>(low), static_cast<double>(high), std::is_integral_v<T>};
+  setting.range.numbers = SettingRange::Numbers{static_cast<double>(low), static_cast<double>(high),
+                                                std::is_integral_v<T>};
   setting.get = [member](const S& s) { return fmt::format("{}", s.*member); };
   setting.set = [member, low, high, name = setting.name](S& s, std::string_view text) -> Status {
     if (const auto doubt = number_ambiguity(text)) return Error{*doubt, name, ""};
@@ -80,8 +80,8 @@ Setting<S> number_setting(std::string name, Message sentence, T S::*member, T lo
         plain &&
         std::from_chars(plain->data(), plain->data() + plain->size(), value).ec == std::errc{};
     if (!is_read || !(value >= low && value <= high))
-      return Error{
-          en::say("'{}' is not a number from {} to {}", printable(text), low, high), name, ""};
+      return Error{en::say("'{}' is not a number from {} to {}", printable(text), low, high), name,
+                   ""};
     s.*member = value;
     return {};
   };
@@ -90,9 +90,7 @@ Setting<S> number_setting(std::string name, Message sentence, T S::*member, T lo
 
 /// A non-empty text, for example a file name.
 template <class S>
-Setting<S> text_setting(std::string name,
-                        Message sentence,
-                        std::string S::*member,
+Setting<S> text_setting(std::string name, Message sentence, std::string S::*member,
                         std::string range) {
   Setting<S> setting{std::move(name), std::move(sentence), {}, {}, {}};
   setting.range.other = std::move(range);
@@ -107,9 +105,7 @@ Setting<S> text_setting(std::string name,
 
 /// One of several words.
 template <class S, class E>
-Setting<S> choice_setting(std::string name,
-                          Message sentence,
-                          E S::*member,
+Setting<S> choice_setting(std::string name, Message sentence, E S::*member,
                           std::vector<std::pair<std::string, E>> words) {
   Setting<S> setting{std::move(name), std::move(sentence), {}, {}, {}};
   for (const auto& [word, value] : words) setting.range.words.push_back(word);

@@ -216,8 +216,7 @@ std::vector<fs::path> DiskWatch::slow() const {
 }
 
 Error slow_disk(const fs::path& file) {
-  return {en::say("its disk responds slowly; waiting for it"),
-          file.string(),
+  return {en::say("its disk responds slowly; waiting for it"), file.string(),
           en::say("wait; if it lasts, check whether another program keeps that disk busy, then its "
                   "network or cable")};
 }

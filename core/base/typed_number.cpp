@@ -32,9 +32,8 @@ constexpr std::array<std::pair<std::string_view, char>, 40> kAlike{{
 std::string in_ascii(std::string_view text) {
   std::string ascii;
   while (!text.empty()) {
-    const auto alike = std::find_if(kAlike.begin(), kAlike.end(), [&](const auto& pair) {
-      return text.starts_with(pair.first);
-    });
+    const auto alike = std::find_if(kAlike.begin(), kAlike.end(),
+                                    [&](const auto& pair) { return text.starts_with(pair.first); });
     const bool is_alike = alike != kAlike.end();
     ascii += is_alike ? alike->second : text.front();
     text.remove_prefix(is_alike ? alike->first.size() : 1);
@@ -48,9 +47,7 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 bool is_digit_at(std::string_view text, std::size_t at) {
   return at < text.size() && is_digit(text[at]);
@@ -146,8 +143,8 @@ Error grouped(std::string_view text, const Parts& parts) {
     return not_a_number(text);
   const auto meant = value_of(joined_digits(parts, integer_groups));
   if (!meant) return not_a_number(text);
-  return {
-      en::say("'{}' contains a thousands separator: write {}", printable(text), *meant), "", ""};
+  return {en::say("'{}' contains a thousands separator: write {}", printable(text), *meant), "",
+          ""};
 }
 
 bool may_be_thousands(const Parts& parts, DecimalMark mark) {
@@ -157,8 +154,7 @@ bool may_be_thousands(const Parts& parts, DecimalMark mark) {
          integer_part.size() <= 3 && integer_part[0] != '0';
 }
 
-std::optional<Error> unit_problem(std::string_view text,
-                                  const std::string& rest,
+std::optional<Error> unit_problem(std::string_view text, const std::string& rest,
                                   const std::string& unit) {
   if (rest.empty() || rest == trimmed(in_ascii(unit))) return std::nullopt;
   // "1/2" and "4x5" are no numbers with units.
@@ -168,15 +164,11 @@ std::optional<Error> unit_problem(std::string_view text,
   if (!is_word) return not_a_number(text);
   if (unit.empty())
     return Error{
-        en::say("'{}' has '{}' after the number: remove it", printable(text), printable(rest)),
-        "",
+        en::say("'{}' has '{}' after the number: remove it", printable(text), printable(rest)), "",
         ""};
-  return Error{en::say("'{}' is in '{}': give the number in {}",
-                       printable(text),
-                       printable(rest),
+  return Error{en::say("'{}' is in '{}': give the number in {}", printable(text), printable(rest),
                        std::string(trimmed(in_ascii(unit)))),
-               "",
-               ""};
+               "", ""};
 }
 
 }  // namespace
@@ -184,8 +176,8 @@ std::optional<Error> unit_problem(std::string_view text,
 Result<std::string> plain_number(std::string_view text, const NumberFormat& format) {
   const std::string ascii = in_ascii(text);
   const Parts parts = parts_of(trimmed(ascii));
-  const bool has_digits = std::any_of(
-      parts.groups.begin(), parts.groups.end(), [](const auto& g) { return !g.empty(); });
+  const bool has_digits = std::any_of(parts.groups.begin(), parts.groups.end(),
+                                      [](const auto& g) { return !g.empty(); });
   if (!has_digits) return not_a_number(text);
   if (auto problem = unit_problem(text, parts.rest, format.unit)) return *problem;
   const bool is_grouped =
@@ -199,8 +191,7 @@ Result<std::string> plain_number(std::string_view text, const NumberFormat& form
     if (const auto other = value_of(joined_digits(parts, 2)))
       return Error{
           en::say("'{0}' can mean {1} or {2}: write {1} or {2}", printable(text), *value, *other),
-          "",
-          ""};
+          "", ""};
   return plain;
 }
 
@@ -245,8 +236,8 @@ std::string format_typed_number(double value, DecimalMark mark) {
 
 std::optional<Message> Quantity::refusal(double value) const {
   if (possible.holds(value)) return std::nullopt;
-  return en::say(
-      "must be a number from {:g} to {:g} {}", possible.low, possible.high, std::string(unit));
+  return en::say("must be a number from {:g} to {:g} {}", possible.low, possible.high,
+                 std::string(unit));
 }
 
 std::optional<Message> Quantity::warning(double value) const {
@@ -256,19 +247,9 @@ std::optional<Message> Quantity::warning(double value) const {
   const Message of = meaning();
   if (value > plausible.high)
     return en::say("{:g} {} is more than typical for {} ({:g} to {:g} {}): check the decimal mark",
-                   value,
-                   unit_text,
-                   of,
-                   plausible.low,
-                   plausible.high,
-                   unit_text);
+                   value, unit_text, of, plausible.low, plausible.high, unit_text);
   return en::say("{:g} {} is less than typical for {} ({:g} to {:g} {}): check the decimal mark",
-                 value,
-                 unit_text,
-                 of,
-                 plausible.low,
-                 plausible.high,
-                 unit_text);
+                 value, unit_text, of, plausible.low, plausible.high, unit_text);
 }
 
 }  // namespace alltact

@@ -18,9 +18,7 @@ std::string utc_in(std::chrono::seconds ahead) {
 
 }  // namespace
 
-std::string utc_now() {
-  return utc_in({});
-}
+std::string utc_now() { return utc_in({}); }
 
 // The format is fixed: alphabetical order is order in time.
 std::string utc_not_before(const std::string& earliest) {
@@ -42,15 +40,8 @@ bool is_utc(std::string_view text) {
 
 std::optional<double> unix_seconds(const std::string& time) {
   int year = 0, month = 0, day = 0, hour = 0, minute = 0, second = 0, read = 0;
-  if (std::sscanf(time.c_str(),
-                  "%4d-%2d-%2dT%2d:%2d:%2dZ%n",
-                  &year,
-                  &month,
-                  &day,
-                  &hour,
-                  &minute,
-                  &second,
-                  &read) != 6 ||
+  if (std::sscanf(time.c_str(), "%4d-%2d-%2dT%2d:%2d:%2dZ%n", &year, &month, &day, &hour, &minute,
+                  &second, &read) != 6 ||
       read != 20 || time.size() != 20)
     return std::nullopt;
   const std::chrono::year_month_day date{std::chrono::year(year),

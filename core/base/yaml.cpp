@@ -59,22 +59,16 @@ class DocumentStart : public YAML::EventHandler {
   void OnDocumentEnd() override {}
   void OnNull(const YAML::Mark& at, YAML::anchor_t) override { note(at); }
   void OnAlias(const YAML::Mark& at, YAML::anchor_t) override { note(at); }
-  void OnScalar(const YAML::Mark& at,
-                const std::string&,
-                YAML::anchor_t,
+  void OnScalar(const YAML::Mark& at, const std::string&, YAML::anchor_t,
                 const std::string&) override {
     note(at);
   }
-  void OnSequenceStart(const YAML::Mark& at,
-                       const std::string&,
-                       YAML::anchor_t,
+  void OnSequenceStart(const YAML::Mark& at, const std::string&, YAML::anchor_t,
                        YAML::EmitterStyle::value) override {
     note(at);
   }
   void OnSequenceEnd() override {}
-  void OnMapStart(const YAML::Mark& at,
-                  const std::string&,
-                  YAML::anchor_t,
+  void OnMapStart(const YAML::Mark& at, const std::string&, YAML::anchor_t,
                   YAML::EmitterStyle::value) override {
     note(at);
   }
@@ -103,8 +97,7 @@ YamlFile::YamlFile(std::filesystem::path path, Unknown policy)
 
 Error YamlFile::error(Message what, int line, std::string_view key, Message advice) const {
   const std::string location = fmt::format("{}:{}", path_.string(), line);
-  return {std::move(what),
-          key.empty() ? location : fmt::format("{}: {}", location, printable(key)),
+  return {std::move(what), key.empty() ? location : fmt::format("{}: {}", location, printable(key)),
           std::move(advice)};
 }
 
@@ -117,9 +110,7 @@ Status YamlFile::load(const std::function<void(YamlSection&)>& reader) {
 Status YamlFile::read(const std::string& content, const std::function<void(YamlSection&)>& reader) {
   try {
     if (const auto mark = second_document(content))
-      return error(en::say("holds more than one document"),
-                   line_of_mark(*mark),
-                   "",
+      return error(en::say("holds more than one document"), line_of_mark(*mark), "",
                    en::say("leave out the lines '---'"));
     YamlSection top(*this, YAML::Load(content), "", 1);
     reader(top);
@@ -129,8 +120,7 @@ Status YamlFile::read(const std::string& content, const std::function<void(YamlS
     return refused.error;
   } catch (const YAML::Exception& problem) {
     return error(en::say("this is not YAML: {}", printable(problem.msg)),
-                 line_of_mark(problem.mark),
-                 "",
+                 line_of_mark(problem.mark), "",
                  en::say("check the brackets, quotes and the space before each key"));
   } catch (const std::exception& problem) {  // of a library that the reader called
     return Error{Message::typed(problem.what()), path_, ""};
@@ -164,32 +154,25 @@ void YamlFile::check_unread_keys() {
   for (const auto& section : sections_)
     for (const YamlSection::Entry& entry : section->entries)
       if (!entry.is_read) rest.push_back({section.get(), &entry});
-  std::stable_sort(rest.begin(), rest.end(), [](const Rest& a, const Rest& b) {
-    return a.entry->line < b.entry->line;
-  });
+  std::stable_sort(rest.begin(), rest.end(),
+                   [](const Rest& a, const Rest& b) { return a.entry->line < b.entry->line; });
   std::size_t parts = 0;
   for (const auto& [section, entry] : rest) {
     const std::string& key = entry->key;
     const std::string name = section->name.empty() ? key : section->name + "." + key;
     if (policy_ == Unknown::kRefused)
       throw RefusedYaml{
-          error(en::say("unknown key '{}'", printable(key)),
-                entry->line,
-                name,
+          error(en::say("unknown key '{}'", printable(key)), entry->line, name,
                 section->requested.empty()
                     ? Message()
                     : one_of(section->requested, nearest_word(key, section->absent())))};
     auto value = copied_value(entry->value, 0, parts);
     if (!value)
       throw RefusedYaml{error(en::say("is unknown, and too large or too unusual to be stored"),
-                              entry->line,
-                              name,
-                              en::say("remove it"))};
+                              entry->line, name, en::say("remove it"))};
     unknown_[section->name].emplace_back(key, std::move(*value));
     const std::string meant = nearest_word(key, section->absent());
-    const Error warning = error(en::say("is not known here; it stays unchanged"),
-                                entry->line,
-                                name,
+    const Error warning = error(en::say("is not known here; it stays unchanged"), entry->line, name,
                                 meant.empty() ? Message() : en::say("'{}'", meant));
     warnings_.push_back(en::say("{}.", warning.message()));
   }
@@ -264,8 +247,7 @@ YamlSection::YamlSection(YamlFile& file, const YAML::Node& node, std::string nam
   file.sections_.push_back(section_);
   if (node.IsNull()) return;  // the first required key will be reported as missing
   if (!node.IsMap())
-    refuse("",
-           en::say("must be a block of 'key: value' lines, not {}", shown(node)),
+    refuse("", en::say("must be a block of 'key: value' lines, not {}", shown(node)),
            en::say("compare with another file of this kind"));
   file.count(node.size() + 1);
   std::set<std::string> seen;
@@ -273,22 +255,16 @@ YamlSection::YamlSection(YamlFile& file, const YAML::Node& node, std::string nam
     const YAML::Node& key = entry.first;
     const int here = line_of_mark(key.Mark());
     if (!key.IsScalar() || key.Scalar().size() > kLongestYamlKey)
-      throw RefusedYaml{file.error(en::say("holds a key that is not a word"),
-                                   here,
-                                   section_->name,
+      throw RefusedYaml{file.error(en::say("holds a key that is not a word"), here, section_->name,
                                    en::say("one word before each colon"))};
     // In braces and brackets a comma separates entries: {layer_mm: 1,6} has a key '6' without a
     // value.
     if (entry.second.IsNull() && !seen.empty() && is_all_digits(key.Scalar()))
       throw RefusedYaml{file.error(
           en::say("a comma separates entries here, and '{}' is none", printable(key.Scalar())),
-          here,
-          full_name(section_->entries.back().key),
-          number_advice())};
+          here, full_name(section_->entries.back().key), number_advice())};
     if (!seen.insert(key.Scalar()).second)
-      throw RefusedYaml{file.error(en::say("is given twice"),
-                                   here,
-                                   full_name(key.Scalar()),
+      throw RefusedYaml{file.error(en::say("is given twice"), here, full_name(key.Scalar()),
                                    en::say("delete one of the two"))};
     section_->entries.push_back({key.Scalar(), entry.second, here});
     file.lines_[full_name(key.Scalar())] = here;
@@ -298,21 +274,15 @@ YamlSection::YamlSection(YamlFile& file, const YAML::Node& node, std::string nam
 YamlSection::YamlSection(YamlFile& file, std::shared_ptr<YamlFile::Section> section)
     : file_(&file), section_(std::move(section)) {}
 
-YamlSection YamlSection::top() const {
-  return {*file_, file_->sections_.front()};
-}
+YamlSection YamlSection::top() const { return {*file_, file_->sections_.front()}; }
 
 std::string YamlSection::full_name(const std::string& key) const {
   return name().empty() || key.empty() ? name() + key : name() + "." + key;
 }
 
-const std::string& YamlSection::name() const {
-  return section_->name;
-}
+const std::string& YamlSection::name() const { return section_->name; }
 
-void YamlSection::rename(std::string name) {
-  section_->name = std::move(name);
-}
+void YamlSection::rename(std::string name) { section_->name = std::move(name); }
 
 int YamlSection::line_of(const std::string& key) const {
   for (const Entry& entry : section_->entries)
@@ -337,9 +307,7 @@ const YamlSection::Entry* YamlSection::find(const std::string& key) const {
   return nullptr;
 }
 
-bool YamlSection::has(const std::string& key) const {
-  return find(key) != nullptr;
-}
+bool YamlSection::has(const std::string& key) const { return find(key) != nullptr; }
 
 bool YamlSection::has_list(const std::string& key) const {
   const Entry* entry = find(key);
@@ -374,9 +342,7 @@ YamlSection::Entry& YamlSection::required(const std::string& key) {
   const Message add = name().empty() ? en::say("add '{}: ...'", key)
                                      : en::say("add '{}: ...' under '{}:'", key, printable(name()));
   throw RefusedYaml{file_->error(
-      en::say("is missing"),
-      section_->line,
-      full_name(key),
+      en::say("is missing"), section_->line, full_name(key),
       meant.empty() ? add : en::say("write '{}' instead of '{}'", key, printable(meant)))};
 }
 
@@ -388,9 +354,7 @@ YamlSection YamlSection::section(const std::string& key) {
 std::vector<YamlSection> YamlSection::sections(const std::string& key) {
   std::vector<YamlSection> result;
   for (const YAML::Node& item : list(key))
-    result.push_back({*file_,
-                      item,
-                      fmt::format("{}[{}]", full_name(key), result.size()),
+    result.push_back({*file_, item, fmt::format("{}[{}]", full_name(key), result.size()),
                       line_of_mark(item.Mark())});
   return result;
 }
@@ -407,8 +371,7 @@ std::size_t YamlSection::choice(const std::string& key,
   const std::string given = value.IsScalar() ? value.Scalar() : "";
   const auto found = std::find(words.begin(), words.end(), given);
   if (found == words.end() || !value.IsScalar())
-    refuse(key,
-           en::say("{} is not known here", shown(value)),
+    refuse(key, en::say("{} is not known here", shown(value)),
            one_of({words.begin(), words.end()}, given));
   return static_cast<std::size_t>(found - words.begin());
 }
@@ -419,14 +382,12 @@ double YamlSection::number(const std::string& key, const Message& meaning) {
   if (!value)
     if (const auto ambiguity = ambiguity_of(entry.value)) refuse(key, *ambiguity, number_advice());
   if (!value)
-    refuse(
-        key, en::say("must be a number, {}, not {}", meaning, shown(entry.value)), number_advice());
+    refuse(key, en::say("must be a number, {}, not {}", meaning, shown(entry.value)),
+           number_advice());
   return *value;
 }
 
-double YamlSection::checked(const std::string& key,
-                            const YAML::Node& node,
-                            Limits limits,
+double YamlSection::checked(const std::string& key, const YAML::Node& node, Limits limits,
                             bool is_item) const {
   const auto value = parsed(node);
   if (value && is_within(*value, limits)) return *value;
@@ -434,8 +395,7 @@ double YamlSection::checked(const std::string& key,
     if (const auto ambiguity = ambiguity_of(node)) refuse(key, *ambiguity, number_advice());
   const Message allowed = in_words(limits);
   if (value == 0.0 && limits.zero_is_absence)
-    refuse(key,
-           en::say("0 means that it is absent; leave out what is absent"),
+    refuse(key, en::say("0 means that it is absent; leave out what is absent"),
            en::say("leave it out, or enter {}", allowed));
   refuse(key,
          is_item ? en::say("holds {}, which is not {}", shown(node), allowed)
@@ -457,8 +417,7 @@ int YamlSection::integer(const std::string& key, int low, int high) {
   if (!value)
     if (const auto ambiguity = ambiguity_of(entry.value)) refuse(key, *ambiguity, number_advice());
   if (!value || *value != std::floor(*value) || *value < low || *value > high)
-    refuse(key,
-           en::say("must be an integer from {} to {}, not {}", low, high, shown(entry.value)),
+    refuse(key, en::say("must be an integer from {} to {}, not {}", low, high, shown(entry.value)),
            "");
   return static_cast<int>(*value);
 }
@@ -475,8 +434,7 @@ const YAML::Node& YamlSection::list(const std::string& key) {
   return entry.value;
 }
 
-std::vector<double> YamlSection::numbers_of(const std::string& key,
-                                            const YAML::Node& list,
+std::vector<double> YamlSection::numbers_of(const std::string& key, const YAML::Node& list,
                                             Limits limits) const {
   std::vector<double> result;
   for (const YAML::Node& item : list) result.push_back(checked(key, item, limits, true));
@@ -487,14 +445,11 @@ std::vector<double> YamlSection::numbers(const std::string& key, Limits limits) 
   return numbers_of(key, list(key), limits);
 }
 
-std::vector<double> YamlSection::numbers(const std::string& key,
-                                         std::size_t min_count,
-                                         std::size_t max_count,
-                                         Limits limits) {
+std::vector<double> YamlSection::numbers(const std::string& key, std::size_t min_count,
+                                         std::size_t max_count, Limits limits) {
   std::vector<double> result = numbers(key, limits);
   if (result.size() < min_count || result.size() > max_count)
-    refuse(key,
-           en::say("this is not a list of the right length"),
+    refuse(key, en::say("this is not a list of the right length"),
            min_count == max_count ? en::say("[{} numbers]", min_count)
                                   : en::say("[{} to {} numbers]", min_count, max_count));
   return result;
@@ -513,8 +468,8 @@ std::vector<std::vector<double>> YamlSection::rows(const std::string& key, Limit
   std::vector<std::vector<double>> result;
   for (const YAML::Node& row : list(key)) {
     if (!row.IsSequence())
-      refuse(
-          key, en::say("holds {}, which is not a list", shown(row)), en::say("[[..., ...], ...]"));
+      refuse(key, en::say("holds {}, which is not a list", shown(row)),
+             en::say("[[..., ...], ...]"));
     file_->count(row.size());
     result.push_back(numbers_of(key, row, limits));
   }
@@ -533,12 +488,8 @@ std::map<std::string, std::string> YamlSection::all_texts() {
 
 namespace {
 
-bool is_letter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
-bool is_ascii_digit(char c) {
-  return c >= '0' && c <= '9';
-}
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+bool is_ascii_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// True when YAML gives no special meaning to any character, also inside a list.
 bool is_harmless(std::string_view text) {
@@ -550,12 +501,11 @@ bool is_harmless(std::string_view text) {
 }
 
 bool is_reserved(std::string_view text) {
-  static constexpr std::array kWords{
-      "true", "false", "yes", "no", "on", "off", "y", "n", "null", "nan", "inf"};
+  static constexpr std::array kWords{"true", "false", "yes",  "no",  "on", "off",
+                                     "y",    "n",     "null", "nan", "inf"};
   std::string lower(text);
-  std::transform(lower.begin(), lower.end(), lower.begin(), [](unsigned char c) {
-    return static_cast<char>(std::tolower(c));
-  });
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return std::find(kWords.begin(), kWords.end(), lower) != kWords.end();
 }
 
@@ -661,9 +611,7 @@ std::string YamlBlock::in_braces() const {
   return fmt::format("{{{}}}", fmt::join(parts, ", "));
 }
 
-std::string YamlBlock::on_one_line() const {
-  return fmt::format("{}: {}\n", name_, in_braces());
-}
+std::string YamlBlock::on_one_line() const { return fmt::format("{}: {}\n", name_, in_braces()); }
 
 std::string YamlBlock::on_many_lines() const {
   std::string text = name_.empty() ? "" : name_ + ":\n";

@@ -120,10 +120,8 @@ class YamlSection {
   [[nodiscard]] int integer_or(const std::string& key, int otherwise, int low, int high);
   [[nodiscard]] std::vector<double> numbers(const std::string& key, Limits limits = kAnyNumber);
   /// Returns `least` to `most` numbers.
-  [[nodiscard]] std::vector<double> numbers(const std::string& key,
-                                            std::size_t min_count,
-                                            std::size_t max_count,
-                                            Limits limits);
+  [[nodiscard]] std::vector<double> numbers(const std::string& key, std::size_t min_count,
+                                            std::size_t max_count, Limits limits);
   [[nodiscard]] std::vector<std::string> texts(const std::string& key);
   /// A list of lists of numbers.
   [[nodiscard]] std::vector<std::vector<double>> rows(const std::string& key,
@@ -151,12 +149,9 @@ class YamlSection {
   [[nodiscard]] const Entry* find(const std::string& key) const;
   [[nodiscard]] Entry& required(const std::string& key);
   [[nodiscard]] const YAML::Node& list(const std::string& key);
-  [[nodiscard]] double checked(const std::string& key,
-                               const YAML::Node& node,
-                               Limits limits,
+  [[nodiscard]] double checked(const std::string& key, const YAML::Node& node, Limits limits,
                                bool is_item) const;
-  [[nodiscard]] std::vector<double> numbers_of(const std::string& key,
-                                               const YAML::Node& list,
+  [[nodiscard]] std::vector<double> numbers_of(const std::string& key, const YAML::Node& list,
                                                Limits limits) const;
   [[nodiscard]] int line_of(const std::string& key) const;
   [[nodiscard]] std::string full_name(const std::string& key) const;

@@ -17,13 +17,9 @@ struct RefusedYaml {
   Error error;
 };
 
-inline int line_of_mark(const YAML::Mark& mark) {
-  return mark.is_null() ? 1 : mark.line + 1;
-}
+inline int line_of_mark(const YAML::Mark& mark) { return mark.is_null() ? 1 : mark.line + 1; }
 
-inline bool is_quoted(const YAML::Node& node) {
-  return node.Tag() == "!";
-}
+inline bool is_quoted(const YAML::Node& node) { return node.Tag() == "!"; }
 
 struct YamlSection::Entry {
   std::string key;

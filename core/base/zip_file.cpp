@@ -24,8 +24,7 @@ Error zip_failure(zip_error_t* failure, const fs::path& path) {
   const Message packing = en::say("could not write the archive");
   if (zip_error_system_type(failure) == ZIP_ET_SYS && zip_error_code_system(failure) != 0)
     return system_error(packing, path, zip_error_code_system(failure));
-  return {en::at(packing, Message::typed(zip_error_strerror(failure))),
-          path.string(),
+  return {en::at(packing, Message::typed(zip_error_strerror(failure))), path.string(),
           en::say("another name for this file")};
 }
 
@@ -60,17 +59,15 @@ Status add_entry(zip_t* archive, const ZipEntry& entry) {
   const auto entry_index = static_cast<zip_uint64_t>(index);
   if (zip_file_set_dostime(archive, entry_index, kMidnight, kNewYear1980, 0) != 0 ||
       zip_file_set_external_attributes(archive, entry_index, 0, ZIP_OPSYS_UNIX, kPlainFile) != 0 ||
-      zip_set_file_compression(
-          archive, entry_index, is_packed_already(entry.name) ? ZIP_CM_STORE : ZIP_CM_DEFLATE, 0) !=
-          0)
+      zip_set_file_compression(archive, entry_index,
+                               is_packed_already(entry.name) ? ZIP_CM_STORE : ZIP_CM_DEFLATE,
+                               0) != 0)
     return zip_failure(zip_get_error(archive), origin);
   return {};
 }
 
 /// `file` names the archive in errors and progress; it is written at `temporary`.
-Status pack(const fs::path& file,
-            const fs::path& temporary,
-            const std::vector<ZipEntry>& entries,
+Status pack(const fs::path& file, const fs::path& temporary, const std::vector<ZipEntry>& entries,
             const Job& job) {
   int failed = 0;
   Archive archive(zip_open(temporary.c_str(), ZIP_CREATE | ZIP_TRUNCATE, &failed));
@@ -89,21 +86,18 @@ Status pack(const fs::path& file,
     Message what;
   } watch{job, en::say("packing {}", file.filename())};
   zip_register_progress_callback_with_state(
-      archive.get(),
-      0.005,
+      archive.get(), 0.005,
       [](zip_t*, double fraction, void* state) {
         const auto* reporter = static_cast<const Watch*>(state);
         reporter->job.report(fraction, reporter->what);
       },
-      nullptr,
-      &watch);
+      nullptr, &watch);
   zip_register_cancel_callback_with_state(
       archive.get(),
       [](zip_t*, void* state) {
         return static_cast<const Watch*>(state)->job.stop_requested() ? 1 : 0;
       },
-      nullptr,
-      &watch);
+      nullptr, &watch);
   if (zip_close(archive.get()) != 0) {
     if (job.stop_requested())
       return Error{en::say("stopped before it was packed"), file.string(), ""};

@@ -23,7 +23,6 @@ struct ZipEntry {
 /// Reports to `job` and ends when it asks to stop. Errors: stopped; a file that cannot be read; a
 /// name that is not UTF-8 or a duplicate; those of write_file_atomically.
 [[nodiscard]] Status write_zip(const std::filesystem::path& file,
-                               const std::vector<ZipEntry>& entries,
-                               const Job& job);
+                               const std::vector<ZipEntry>& entries, const Job& job);
 
 }  // namespace alltact

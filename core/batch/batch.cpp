@@ -32,11 +32,8 @@ struct FramePiece {
 
 class Batch {
  public:
-  Batch(Source& source,
-        std::vector<Pipeline>& pipelines,
-        const BatchFrames& frames,
-        const BatchWork& work,
-        const Job& job)
+  Batch(Source& source, std::vector<Pipeline>& pipelines, const BatchFrames& frames,
+        const BatchWork& work, const Job& job)
       : source_(source), pipelines_(pipelines), frames_(frames), work_(work), job_(job) {}
 
   Status run() {
@@ -113,8 +110,7 @@ class Batch {
         if (!done(piece->number, std::move(lines))) return;
       }
     } catch (const std::exception& problem) {
-      fail({en::say("unexpected: {}", std::string(problem.what())),
-            "",
+      fail({en::say("unexpected: {}", std::string(problem.what())), "",
             en::say("reporting this as a defect")});
     }
   }
@@ -173,11 +169,8 @@ class Batch {
 
 }  // namespace
 
-Status measure_batch(Source& source,
-                     std::vector<Pipeline>& pipelines,
-                     const BatchFrames& frames,
-                     const BatchWork& work,
-                     const Job& job) {
+Status measure_batch(Source& source, std::vector<Pipeline>& pipelines, const BatchFrames& frames,
+                     const BatchWork& work, const Job& job) {
   assert(!pipelines.empty() && frames.first % kPieceFrames == 0);
   return Batch(source, pipelines, frames, work, job).run();
 }
@@ -269,8 +262,8 @@ Result<FrameLine> FrameLine::from_json(std::string_view text) {
     frame.contacts = std::move(contacts);
     return frame;
   } catch (const std::exception&) {
-    return Error{
-        en::say("one of its lines is damaged"), "", en::say("reconstruct this part again")};
+    return Error{en::say("one of its lines is damaged"), "",
+                 en::say("reconstruct this part again")};
   }
 }
 

@@ -107,10 +107,8 @@ struct BatchWork {
 /// pipeline has long-lasting state, only the first is used, frame by frame.
 /// Error: that of `write` or `take`; lines taken before remain. When the job is stopped, lines up
 /// to the end of a measured piece are taken.
-[[nodiscard]] Status measure_batch(Source& source,
-                                   std::vector<Pipeline>& pipelines,
-                                   const BatchFrames& frames,
-                                   const BatchWork& work,
+[[nodiscard]] Status measure_batch(Source& source, std::vector<Pipeline>& pipelines,
+                                   const BatchFrames& frames, const BatchWork& work,
                                    const Job& job);
 
 // Measures a recording frame by frame on request. Each result equals to the bit that of

@@ -22,8 +22,7 @@ constexpr const char* kFormat = "alltact-part/1";
 constexpr int kMaxParts = 10000;
 
 Error damaged(const fs::path& file) {
-  return {en::say("the part is damaged or cut short"),
-          file.string(),
+  return {en::say("the part is damaged or cut short"), file.string(),
           en::say("reconstruct this part again")};
 }
 
@@ -73,16 +72,13 @@ Result<std::vector<fs::path>> files_in(const fs::path& folder) {
        entry.increment(error))
     if (entry->path().filename().string().front() != '.') files.push_back(entry->path());
   if (error)
-    return Error{en::say("the folder cannot be read: {}", error.message()),
-                 folder.string(),
+    return Error{en::say("the folder cannot be read: {}", error.message()), folder.string(),
                  en::say("check the path for typing errors")};
   std::sort(files.begin(), files.end());
   return files;
 }
 
-bool is_part(const fs::path& file) {
-  return file.filename().string().starts_with("results.part-");
-}
+bool is_part(const fs::path& file) { return file.filename().string().starts_with("results.part-"); }
 
 bool is_part_video(const fs::path& file) {
   return file.filename().string().starts_with("depth.part-");
@@ -101,16 +97,14 @@ Result<std::map<int, PartResults>> find_parts(const std::vector<fs::path>& folde
       const PartResults& first = parts.empty() ? *results : parts.begin()->second;
       if (results->run != first.run || results->part.of != first.part.of)
         return Error{en::say("these are parts of two different runs: {} and {}",
-                             parts.begin()->second.file,
-                             file),
+                             parts.begin()->second.file, file),
                      file.string(),
                      en::say("the folders of one run, or reconstruct all its parts again")};
       const int number = results->part.number;
       const auto [before, is_new] = parts.emplace(number, std::move(*results));
       if (!is_new)
         return Error{en::say("part {} exists twice: {} and {}", number, before->second.file, file),
-                     file.string(),
-                     en::say("remove one of them")};
+                     file.string(), en::say("remove one of them")};
     }
   }
   return parts;
@@ -118,8 +112,7 @@ Result<std::map<int, PartResults>> find_parts(const std::vector<fs::path>& folde
 
 Status check_complete(const std::map<int, PartResults>& parts, const fs::path& folder) {
   if (parts.empty())
-    return Error{en::say("there are no parts of a reconstruction"),
-                 folder.string(),
+    return Error{en::say("there are no parts of a reconstruction"), folder.string(),
                  en::say("alltact reconstruct with --shard 1/N to N/N first")};
   const int of = parts.begin()->second.part.of;
   const std::size_t total_frames = parts.begin()->second.frame_count;
@@ -127,18 +120,15 @@ Status check_complete(const std::map<int, PartResults>& parts, const fs::path& f
   for (int number = 1; number <= of; ++number)
     if (!parts.contains(number)) missing += (missing.empty() ? "" : ", ") + std::to_string(number);
   if (!missing.empty())
-    return Error{en::say("of {} parts these are missing: {}", of, missing),
-                 folder.string(),
+    return Error{en::say("of {} parts these are missing: {}", of, missing), folder.string(),
                  en::say("reconstruct these parts, too")};
   for (const auto& [number, part] : parts) {
     const BatchFrames frames = frames_of(part.part, part.frame_count);
     if (part.first != frames.first || part.frame_count != total_frames) return damaged(part.file);
     if (part.lines.size() != frames.end - frames.first)
-      return Error{en::say("the part was stopped after {} of {} frames",
-                           part.lines.size(),
+      return Error{en::say("the part was stopped after {} of {} frames", part.lines.size(),
                            frames.end - frames.first),
-                   part.file.string(),
-                   en::say("reconstruct this part again")};
+                   part.file.string(), en::say("reconstruct this part again")};
   }
   return {};
 }
@@ -154,8 +144,7 @@ Result<std::string> merge_lines(const std::map<int, PartResults>& parts, MergedP
       if (!line) return damaged(part.file);
       if (!names.insert(line->frame).second)
         return Error{en::say("another image is called '{}' as well", line->frame),
-                     part.file.string(),
-                     en::say("giving the images different names")};
+                     part.file.string(), en::say("giving the images different names")};
       content += contacts.complete_line(*line) + "\n";
       ++merged.frames;
       merged.failed += line->is_measured ? 0 : 1;
@@ -180,8 +169,7 @@ Status move_files(const fs::path& from, const fs::path& to) {
       if (!error) fs::remove(file, error);
     }
     if (error)
-      return Error{en::say("the file cannot be moved: {}", error.message()),
-                   there.string(),
+      return Error{en::say("the file cannot be moved: {}", error.message()), there.string(),
                    en::say("free some space, or ask the folder's owner for access")};
   }
   return {};
@@ -206,8 +194,7 @@ Result<std::vector<fs::path>> part_videos(const std::map<int, PartResults>& part
   }
   if (!any) return std::vector<fs::path>();
   if (missing != nullptr)
-    return Error{en::say("the part's video of depth is missing"),
-                 missing->string(),
+    return Error{en::say("the part's video of depth is missing"), missing->string(),
                  en::say("reconstruct this part again")};
   return videos;
 }
@@ -242,8 +229,7 @@ Result<Part> part_of(const std::string& text) {
   const bool has_slash = number.ec == std::errc() && number.ptr != end && *number.ptr == '/';
   const auto of = has_slash ? std::from_chars(number.ptr + 1, end, part.of) : number;
   if (!has_slash || of.ec != std::errc() || of.ptr != end || !is_possible(part))
-    return Error{en::say("'{}' is not a valid part", text),
-                 "",
+    return Error{en::say("'{}' is not a valid part", text), "",
                  en::say("1/8 to 8/8 for eight parts, for example")};
   return part;
 }

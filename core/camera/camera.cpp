@@ -50,8 +50,7 @@ std::size_t coefficient_limit(CameraModel model) {
 std::optional<Error> size_problem(const CameraParameters& p) {
   for (int side : {p.width_px, p.height_px})
     if (side < 16 || side > 16384)
-      return Error{en::say("{} x {} px is no image size; each side must be 16 to 16384",
-                           p.width_px,
+      return Error{en::say("{} x {} px is no image size; each side must be 16 to 16384", p.width_px,
                            p.height_px),
                    std::string("camera.size"),
                    en::say("the size of the camera's images, [width, height]")};
@@ -62,14 +61,12 @@ std::optional<Error> scale_problem(const CameraParameters& p) {
   if (p.model == CameraModel::kOrthographic) {
     if (!(p.mm_per_px >= 1e-6 && p.mm_per_px <= 100))
       return Error{en::say("must be a number from 0.000001 to 100"),
-                   std::string("camera.mm_per_px"),
-                   en::say("millimetres on the object per pixel")};
+                   std::string("camera.mm_per_px"), en::say("millimetres on the object per pixel")};
     return std::nullopt;
   }
   for (const auto& [value, key] : {std::pair{p.fx_px, "camera.fx"}, {p.fy_px, "camera.fy"}})
     if (!(value >= 1 && value <= 1e6))
-      return Error{en::say("must be a number from 1 to 1000000"),
-                   std::string(key),
+      return Error{en::say("must be a number from 1 to 1000000"), std::string(key),
                    en::say("the focal length in pixels, as 'alltact lens' finds it")};
   return std::nullopt;
 }
@@ -78,8 +75,7 @@ std::optional<Error> centre_problem(const CameraParameters& p) {
   for (const auto& [value, side, key] : {std::tuple{p.cx_px, p.width_px, "camera.cx"},
                                          std::tuple{p.cy_px, p.height_px, "camera.cy"}})
     if (!(value >= -side && value <= 2 * side))
-      return Error{en::say("must be a number from {} to {}", -side, 2 * side),
-                   std::string(key),
+      return Error{en::say("must be a number from {} to {}", -side, 2 * side), std::string(key),
                    en::say("the image's centre, or run 'alltact lens'")};
   return std::nullopt;
 }
@@ -89,16 +85,13 @@ std::optional<Error> distortion_problem(const CameraParameters& p) {
   if (p.distortion.size() > limit) {
     const Message allowed = limit == 0 ? en::say("no") : en::say("at most {}", limit);
     return Error{en::say("a {} camera has {} coefficients, here are {}",
-                         std::string(to_string(p.model)),
-                         allowed,
-                         p.distortion.size()),
+                         std::string(to_string(p.model)), allowed, p.distortion.size()),
                  std::string("camera.distortion"),
                  en::say("brown: k1 k2 p1 p2 k3, fisheye: k1 k2 k3 k4, others: []")};
   }
   for (double k : p.distortion)
     if (!(std::abs(k) <= 1e4))
-      return Error{en::say("holds a number that no lens has"),
-                   std::string("camera.distortion"),
+      return Error{en::say("holds a number that no lens has"), std::string("camera.distortion"),
                    en::say("run 'alltact lens'")};
   return std::nullopt;
 }
@@ -107,8 +100,7 @@ std::optional<Error> port_problem(const CameraParameters& p) {
   if (!p.port) return std::nullopt;
   if (p.model == CameraModel::kOrthographic)
     return Error{en::say("belongs to a perspective camera; an orthographic one does not need it"),
-                 std::string("camera.port"),
-                 en::say("leave it out")};
+                 std::string("camera.port"), en::say("leave it out")};
   const Status status = check_port(*p.port);
   if (status) return std::nullopt;
   Error error = status.error();
@@ -118,12 +110,8 @@ std::optional<Error> port_problem(const CameraParameters& p) {
 
 }  // namespace
 
-std::string_view to_string(CameraModel model) {
-  return word_of(kModels, model);
-}
-std::string_view to_string(Orientation orientation) {
-  return word_of(kOrientations, orientation);
-}
+std::string_view to_string(CameraModel model) { return word_of(kModels, model); }
+std::string_view to_string(Orientation orientation) { return word_of(kOrientations, orientation); }
 std::optional<CameraModel> camera_model_from(std::string_view word) {
   return meaning_of(kModels, word);
 }
@@ -161,10 +149,9 @@ bool Camera::folds_in_image() const {
   const double right = p.width_px - 1, bottom = p.height_px - 1;
   for (int i = 0; i <= kSamples; ++i) {
     const double part = static_cast<double>(i) / kSamples;
-    for (const Eigen::Vector2d& pixel : {Eigen::Vector2d(part * right, 0),
-                                         Eigen::Vector2d(part * right, bottom),
-                                         Eigen::Vector2d(0, part * bottom),
-                                         Eigen::Vector2d(right, part * bottom)})
+    for (const Eigen::Vector2d& pixel :
+         {Eigen::Vector2d(part * right, 0), Eigen::Vector2d(part * right, bottom),
+          Eigen::Vector2d(0, part * bottom), Eigen::Vector2d(right, part * bottom)})
       if (!unproject(pixel)) return true;
   }
   return false;
@@ -256,21 +243,13 @@ cv::Mat oriented(const cv::Mat& raw, Orientation orientation) {
   return turned;
 }
 
-Result<cv::Mat> oriented_for(const CameraParameters& camera,
-                             const cv::Mat& raw,
-                             const Message& what,
-                             const Where& where,
-                             const Message& advice) {
+Result<cv::Mat> oriented_for(const CameraParameters& camera, const cv::Mat& raw,
+                             const Message& what, const Where& where, const Message& advice) {
   cv::Mat turned = oriented(raw, camera.orientation);
   if (turned.size() == cv::Size(camera.width_px, camera.height_px)) return turned;
-  return Error{en::say("{} is {} x {} px, the camera of this finger gives {} x {}",
-                       what,
-                       turned.cols,
-                       turned.rows,
-                       camera.width_px,
-                       camera.height_px),
-               where,
-               advice};
+  return Error{en::say("{} is {} x {} px, the camera of this finger gives {} x {}", what,
+                       turned.cols, turned.rows, camera.width_px, camera.height_px),
+               where, advice};
 }
 
 namespace {
@@ -294,14 +273,12 @@ constexpr double kSteepest = 1000;  // tangent of 89.9 degrees
 Status check_port(const FlatPort& port) {
   for (const auto& [value, key] : {std::pair{port.gap_mm, "gap_mm"}, {port.plate_mm, "plate_mm"}})
     if (!(value >= 0 && value <= 1000))
-      return Error{en::say("must be a length from 0 to 1000 mm"),
-                   std::string(key),
+      return Error{en::say("must be a length from 0 to 1000 mm"), std::string(key),
                    en::say("a caliper's reading")};
   for (const auto& [value, key] :
        {std::pair{port.plate_index, "plate_index"}, {port.medium_index, "medium_index"}})
     if (!(value >= 1 && value <= 3))
-      return Error{en::say("must be an index of refraction from 1 to 3"),
-                   std::string(key),
+      return Error{en::say("must be an index of refraction from 1 to 3"), std::string(key),
                    en::say("1 for air, 1.33 water, 1.41 silicone, 1.49 acrylic, 1.52 glass")};
   return {};
 }
@@ -362,8 +339,7 @@ Status check_camera_range(const CameraParameters& p) {
     constexpr double kMinMm = 0.1, kMaxMm = 10000;
     if (p.mm_per_px * side >= kMinMm && p.mm_per_px * side <= kMaxMm) return {};
     return Error{en::say("must be a number from {:g} to {:g}", kMinMm / side, kMaxMm / side),
-                 std::string("camera.mm_per_px"),
-                 en::say("millimetres on the object per pixel")};
+                 std::string("camera.mm_per_px"), en::say("millimetres on the object per pixel")};
   }
   constexpr double kWidest = 0.05, kNarrowest = 10, kSquare = 2;
   for (const auto& [value, other, key] :
@@ -375,8 +351,7 @@ Status check_camera_range(const CameraParameters& p) {
       high = std::min(high, other * kSquare);
     }
     if (!(value >= low && value <= high))
-      return Error{en::say("must be a number from {:g} to {:g}", low, high),
-                   std::string(key),
+      return Error{en::say("must be a number from {:g} to {:g}", low, high), std::string(key),
                    en::say("the focal length in pixels, as 'alltact lens' finds it")};
   }
   return {};
@@ -390,11 +365,9 @@ std::vector<Error> implausible_camera(const CameraParameters& p) {
   const double side = std::max(p.width_px, p.height_px);
   const auto check = [&all](const char* key, double value, double low, double high) {
     if (!(value >= low && value <= high))
-      all.push_back(
-          {en::say(
-               "{:g} px is unusual ({:g} to {:g} px): check the decimal mark", value, low, high),
-           std::string(key),
-           ""});
+      all.push_back({en::say("{:g} px is unusual ({:g} to {:g} px): check the decimal mark", value,
+                             low, high),
+                     std::string(key), ""});
   };
   check("camera.fx", p.fx_px, kShortest * side, kLongest * side);
   check("camera.fy", p.fy_px, kShortest * side, kLongest * side);

@@ -135,10 +135,8 @@ class Camera {
 
 /// The raw image in the camera's orientation. Error, with `where` and `advice`: its size differs
 /// from the camera's. `what` names the image in the message.
-[[nodiscard]] Result<cv::Mat> oriented_for(const CameraParameters& camera,
-                                           const cv::Mat& raw,
-                                           const Message& what,
-                                           const Where& where,
+[[nodiscard]] Result<cv::Mat> oriented_for(const CameraParameters& camera, const cv::Mat& raw,
+                                           const Message& what, const Where& where,
                                            const Message& advice);
 
 // Plausibility of a camera, beyond the limits of the mathematics.

@@ -70,10 +70,7 @@ bool is_brightness_value(std::uint32_t id) {
          kBrightnessValues.end();
 }
 
-int transfer(const V4l2Device& device,
-             unsigned long request,
-             std::uint32_t id,
-             bool is_wide,
+int transfer(const V4l2Device& device, unsigned long request, std::uint32_t id, bool is_wide,
              std::int64_t& value) {
   v4l2_ext_control one;
   std::memset(&one, 0, sizeof one);
@@ -131,9 +128,8 @@ std::vector<MenuItem> menu_of(const V4l2Device& device, const CameraControl& con
 std::optional<std::int64_t> off_value(const CameraControl& control, const AutomaticMode& mode) {
   if (control.type != ControlType::kMenu) return mode.off;
   const auto has = [&](std::int64_t value) {
-    return std::any_of(control.menu.begin(), control.menu.end(), [&](const MenuItem& item) {
-      return item.value == value;
-    });
+    return std::any_of(control.menu.begin(), control.menu.end(),
+                       [&](const MenuItem& item) { return item.value == value; });
   };
   if (has(mode.off)) return mode.off;
   if (mode.id == V4L2_CID_EXPOSURE_AUTO && has(V4L2_EXPOSURE_SHUTTER_PRIORITY))
@@ -206,11 +202,8 @@ std::vector<CameraControl> list_controls(const V4l2Device& device) {
     const bool is_readable = control.type != ControlType::kOther &&
                              control.type != ControlType::kButton &&
                              (answer.flags & V4L2_CTRL_FLAG_WRITE_ONLY) == 0;
-    if (is_readable && transfer(device,
-                                VIDIOC_G_EXT_CTRLS,
-                                control.id,
-                                answer.type == V4L2_CTRL_TYPE_INTEGER64,
-                                control.value) != 0)
+    if (is_readable && transfer(device, VIDIOC_G_EXT_CTRLS, control.id,
+                                answer.type == V4L2_CTRL_TYPE_INTEGER64, control.value) != 0)
       control.type = ControlType::kOther;  // not readable now, so not restorable
     controls.push_back(std::move(control));
   }
@@ -232,18 +225,15 @@ Status write_control(const V4l2Device& device, const ControlValue& control) {
       transfer(device, VIDIOC_S_EXT_CTRLS, control.id, is_wide(device, control.id), value);
   const Message doing = en::say("'{}' cannot be set to {}", control.name, control.value);
   if (error == ERANGE || error == EINVAL)
-    return Error{en::at(doing, en::say("the camera refuses this value")),
-                 device.node(),
+    return Error{en::at(doing, en::say("the camera refuses this value")), device.node(),
                  en::say("a value within its range; 'alltact devices --details' lists the ranges")};
   if (error == EACCES)
-    return Error{en::at(doing, en::say("an automatic mode controls it")),
-                 device.node(),
+    return Error{en::at(doing, en::say("an automatic mode controls it")), device.node(),
                  en::say("switch that mode off first")};
   if (error != 0) return camera_error(doing, device.node(), error);
   if (value != control.value)
     return Error{
-        en::at(doing, en::say("the camera uses {} instead", value)),
-        device.node(),
+        en::at(doing, en::say("the camera uses {} instead", value)), device.node(),
         en::say("a value within its range and steps; 'alltact devices --details' lists them")};
   return {};
 }

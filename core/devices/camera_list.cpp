@@ -86,24 +86,21 @@ std::optional<Error> problem_of(const FoundCamera& camera,
                                 const V4l2Device::Capability& capability) {
   const std::string& node = camera.identity.node;
   if (capability.is_multi_planar)
-    return Error{en::say("it sends its images in several planes, which is not supported"),
-                 node,
+    return Error{en::say("it sends its images in several planes, which is not supported"), node,
                  en::say("a USB camera")};
   if (!capability.can_stream)
     return Error{en::say("it cannot stream"), node, en::say("a USB camera")};
   const bool is_readable =
-      std::any_of(camera.formats.begin(), camera.formats.end(), [](const CameraFormat& format) {
-        return can_decode(format.fourcc);
-      });
+      std::any_of(camera.formats.begin(), camera.formats.end(),
+                  [](const CameraFormat& format) { return can_decode(format.fourcc); });
   if (!is_readable)
-    return Error{
-        en::say("it has no supported format"), node, en::say("a camera with MJPG or YUYV")};
+    return Error{en::say("it has no supported format"), node,
+                 en::say("a camera with MJPG or YUYV")};
   return std::nullopt;
 }
 
 /// Empty for a node that is no camera.
-std::optional<FoundCamera> probe_camera(V4l2Calls& calls,
-                                        CameraIdentity identity,
+std::optional<FoundCamera> probe_camera(V4l2Calls& calls, CameraIdentity identity,
                                         bool check_busy) {
   FoundCamera camera;
   camera.identity = std::move(identity);
@@ -153,8 +150,7 @@ std::string name_in(const std::string& requested) {
 CameraAccess access_of(V4l2Calls& calls, const CameraIdentity& identity) {
   const std::string stable_name = identity.stable_name();
   return {
-      &calls,
-      stable_name,
+      &calls, stable_name,
       [stable_name]() -> Result<std::string> {
         // Without opening anything: called repeatedly while a camera is away.
         for (const CameraIdentity& now : video_nodes())
@@ -190,8 +186,7 @@ Result<CameraIdentity> find_camera(const std::string& requested,
   }
   if (fitting.size() == 1) return *fitting.front();
   if (!fitting.empty())
-    return Error{en::say("several cameras have this name: {}", names_of(fitting)),
-                 requested,
+    return Error{en::say("several cameras have this name: {}", names_of(fitting)), requested,
                  en::say("the name before the brackets")};
   // Without any listed device a node is accepted unchecked.
   if (cameras.empty() && requested.starts_with("/dev/")) {

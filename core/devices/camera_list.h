@@ -44,9 +44,7 @@ struct FoundCamera {
 
 /// Finds, opens and starts a camera. After re-plugging it is found by its stable name.
 [[nodiscard]] Result<std::unique_ptr<V4l2Camera>> open_camera(
-    const std::string& requested,
-    const FormatCriteria& criteria = {},
-    const std::vector<ControlValue>& controls = {},
-    V4l2Calls& calls = kernel_calls());
+    const std::string& requested, const FormatCriteria& criteria = {},
+    const std::vector<ControlValue>& controls = {}, V4l2Calls& calls = kernel_calls());
 
 }  // namespace alltact

@@ -69,8 +69,8 @@ Status GaugeLog::begin(const std::filesystem::path& file) {
   std::string name = name_;
   for (char& c : name)
     if (c == '\n' || c == '\r') c = ' ';
-  write_text(fmt::format(
-      "{}\n# gauge: {}\nt_s,fx_n,fy_n,fz_n,sd_n,holds,block,indenter\n", kGaugeLogFormat, name));
+  write_text(fmt::format("{}\n# gauge: {}\nt_s,fx_n,fy_n,fz_n,sd_n,holds,block,indenter\n",
+                         kGaugeLogFormat, name));
   return status_;
 }
 

@@ -31,8 +31,7 @@ std::optional<Eigen::Vector3d> axis_named(std::string_view name) {
 }
 
 Result<GaugeDirections> GaugeDirections::parse(const std::string& text) {
-  const Error wrong{en::say("'{}' is not a direction", printable(text)),
-                    "",
+  const Error wrong{en::say("'{}' is not a direction", printable(text)), "",
                     en::say("x, -y, 0.6,0.8,0 or, for several values, x/y/z")};
   GaugeDirections directions;
   std::string_view rest = text;
@@ -75,31 +74,14 @@ namespace {
 
 constexpr double kMaxGaugeN = 1e5;
 
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
-bool is_letter(char c) {
-  return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
-}
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
 
 /// Over-range words that gauges send instead of a number; only letters and digits count.
 bool is_over_range_word(std::string_view line) {
-  static constexpr std::array<std::string_view, 16> kWords{"OL",
-                                                           "0L",
-                                                           "OVER",
-                                                           "OVR",
-                                                           "OVL",
-                                                           "OVERLOAD",
-                                                           "OVERRANGE",
-                                                           "OVERFLOW",
-                                                           "UNDER",
-                                                           "UL",
-                                                           "HELP",
-                                                           "ERR",
-                                                           "ERROR",
-                                                           "LOADOVER",
-                                                           "OLOAD",
-                                                           "FULL"};
+  static constexpr std::array<std::string_view, 16> kWords{
+      "OL",    "0L", "OVER", "OVR", "OVL",   "OVERLOAD", "OVERRANGE", "OVERFLOW",
+      "UNDER", "UL", "HELP", "ERR", "ERROR", "LOADOVER", "OLOAD",     "FULL"};
   std::string letters;
   bool is_rule = line.size() >= 3;
   for (const char c : line) {
@@ -222,8 +204,8 @@ GaugeLine plain_line(std::string_view line, const GaugeLineRules& rules) {
   if (numbers.empty() || numbers.size() > 3) return reading;
   // One unit behind several numbers belongs to all of them: "1.2 0.3 -0.1 kgf".
   const double last_N = units.back().value_or(rules.unit_N);
-  const bool is_shared = std::none_of(
-      units.begin(), units.end() - 1, [](const std::optional<double>& unit) { return unit; });
+  const bool is_shared = std::none_of(units.begin(), units.end() - 1,
+                                      [](const std::optional<double>& unit) { return unit; });
   for (std::size_t i = 0; i < numbers.size(); ++i)
     if (!put(numbers[i], is_shared ? last_N : units[i].value_or(rules.unit_N), reading))
       return GaugeLine();
@@ -234,8 +216,8 @@ GaugeLine plain_line(std::string_view line, const GaugeLineRules& rules) {
 }  // namespace
 
 GaugeLine read_gauge_line(std::string_view line, const GaugeLineRules& rules) {
-  const bool is_text = std::all_of(
-      line.begin(), line.end(), [](char c) { return (c >= ' ' && c <= '~') || c == '\t'; });
+  const bool is_text = std::all_of(line.begin(), line.end(),
+                                   [](char c) { return (c >= ' ' && c <= '~') || c == '\t'; });
   if (!is_text || line.empty()) return {};
   if (is_over_range_word(line)) {
     GaugeLine over;
@@ -290,8 +272,7 @@ std::optional<Message> ambiguity_in(std::string_view line) {
 
 }  // namespace
 
-TypedGauge::TypedGauge(int descriptor,
-                       const GaugeLineRules& rules,
+TypedGauge::TypedGauge(int descriptor, const GaugeLineRules& rules,
                        const GaugeDirections& directions)
     : descriptor_(descriptor), rules_(rules), directions_(directions) {
   rules_.is_comma_decimal = true;
@@ -368,8 +349,8 @@ void TypedGauge::take(std::string line, double time_s, GaugeUpdate& update) {
   sample.holds = true;
   sample.block = block_.empty() ? fmt::format("typed {}", ++count_) : block_;
   sample.indenter = indenter_;
-  update.remarks.push_back(en::say(
-      "{:.3f} {:.3f} {:.3f} N", sample.force_N.x(), sample.force_N.y(), sample.force_N.z()));
+  update.remarks.push_back(en::say("{:.3f} {:.3f} {:.3f} N", sample.force_N.x(), sample.force_N.y(),
+                                   sample.force_N.z()));
   update.samples.push_back(std::move(sample));
 }
 

@@ -85,8 +85,8 @@ class GaugeSource {
 
 /// Directions of a gauge's values in the axes of the force table: the columns of a 3 x 3 matrix.
 struct GaugeDirections {
-  std::array<Eigen::Vector3d, 3> of{
-      Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ()};
+  std::array<Eigen::Vector3d, 3> of{Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(),
+                                    Eigen::Vector3d::UnitZ()};
   int count = 0;  ///< number of values with a direction; 0: the axes in their order
 
   /// Parses "x", "-y", "0.6,0.8,0" (normalised), and several for several values: "y/-x/z". Error:
@@ -99,8 +99,7 @@ struct GaugeDirections {
 [[nodiscard]] std::optional<Eigen::Vector3d> axis_named(std::string_view name);
 
 /// The sample of a line with values.
-[[nodiscard]] GaugeSample sample_of(const GaugeLine& line,
-                                    const GaugeDirections& directions,
+[[nodiscard]] GaugeSample sample_of(const GaugeLine& line, const GaugeDirections& directions,
                                     double time_s);
 
 /// The clock of GaugeSample::time_s.

@@ -54,22 +54,20 @@ bool take(std::string_view& text, T& number, int base, char behind) {
 
 bool ButtonPattern::is_pressed(const Report& report) const {
   return report.size() == report_bytes && !bytes.empty() &&
-         std::all_of(bytes.begin(), bytes.end(), [&](const Byte& byte) {
-           return (report[byte.at] & byte.mask) == byte.value;
-         });
+         std::all_of(bytes.begin(), bytes.end(),
+                     [&](const Byte& byte) { return (report[byte.at] & byte.mask) == byte.value; });
 }
 
 std::string ButtonPattern::text() const {
   std::string text = fmt::format("{} ", report_bytes);
   for (const Byte& byte : bytes)
-    text += fmt::format(
-        "{}{}:{:02x}={:02x}", text.back() == ' ' ? "" : ",", byte.at, byte.mask, byte.value);
+    text += fmt::format("{}{}:{:02x}={:02x}", text.back() == ' ' ? "" : ",", byte.at, byte.mask,
+                        byte.value);
   return text;
 }
 
 Result<ButtonPattern> ButtonPattern::parse(const std::string& text) {
-  const Error wrong{en::say("'{}' does not describe a button", printable(text)),
-                    "",
+  const Error wrong{en::say("'{}' does not describe a button", printable(text)), "",
                     en::say("learn the button again")};
   std::string_view rest = text;
   ButtonPattern pattern;
@@ -93,8 +91,7 @@ Result<LearntButton> LearntButton::parse(const std::string& text) {
   const std::size_t before =
       last == std::string::npos || last == 0 ? std::string::npos : text.rfind(' ', last - 1);
   if (before == std::string::npos || before == 0)
-    return Error{en::say("'{}' does not name a device and its button", printable(text)),
-                 "",
+    return Error{en::say("'{}' does not name a device and its button", printable(text)), "",
                  en::say("'alltact devices --learn-button', which shows what to write here")};
   const auto pattern = ButtonPattern::parse(text.substr(before + 1));
   if (!pattern) return pattern.error();
@@ -141,8 +138,7 @@ void ButtonLearner::finish_press(const Report& released) {
 }
 
 Result<std::pair<std::size_t, ButtonPattern>> learn_button(const std::vector<HidPort*>& ports,
-                                                           int timeout_ms,
-                                                           const Job& job) {
+                                                           int timeout_ms, const Job& job) {
   std::vector<ButtonLearner> learners(ports.size());
   std::vector<bool> is_alive(ports.size(), true);
   const auto begin = Clock::now();
@@ -167,8 +163,7 @@ Result<std::pair<std::size_t, ButtonPattern>> learn_button(const std::vector<Hid
       if (learners[i].presses() == 1) job.report(0.5, en::say("press it once more"));
     }
   }
-  return Error{en::say("no button was pressed and released twice"),
-               "",
+  return Error{en::say("no button was pressed and released twice"), "",
                en::say("another device; a pedal that only clicks must be set to send a key")};
 }
 

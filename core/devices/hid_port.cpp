@@ -29,18 +29,15 @@ std::string narrow(const wchar_t* text) {
 
 Error no_access(const HidIdentity& identity, int error_number) {
   if (error_number != EACCES && error_number != EPERM)
-    return errno_error(en::say("the device cannot be opened"),
-                       identity.node,
-                       {{}, en::say("unplug it and plug it in again")},
-                       error_number);
+    return errno_error(en::say("the device cannot be opened"), identity.node,
+                       {{}, en::say("unplug it and plug it in again")}, error_number);
   return {en::say("access to the device is not allowed"),
           fmt::format("{} ({})", identity.node, identity.stable_name()),
           en::say("install packaging/70-alltact.rules in /etc/udev/rules.d and plug it in "
                   "again; a device it does not name needs this line in it: KERNEL==\"hidraw*\", "
                   "ATTRS{{idVendor}}==\"{:04x}\", ATTRS{{idProduct}}==\"{:04x}\", "
                   "TAG+=\"uaccess\"",
-                  identity.vendor,
-                  identity.product)};
+                  identity.vendor, identity.product)};
 }
 
 Error unplugged(const std::string& name) {
@@ -71,8 +68,7 @@ class HidapiPort : public HidPort {
  private:
   [[nodiscard]] Status sent(int size) const {
     if (size >= 0) return {};
-    return Error{en::say("the device refused the report"),
-                 name_,
+    return Error{en::say("the device refused the report"), name_,
                  en::say("plug it in again, and check its description")};
   }
 
@@ -142,8 +138,7 @@ Result<std::unique_ptr<HidPort>> open_hid(const std::string& requested) {
   return Error{names.empty()
                    ? en::say("no HID device was found")
                    : en::say("there is no such HID device; available: {}", en::list(names)),
-               requested,
-               en::say("plug it in; 'alltact devices' lists what is found")};
+               requested, en::say("plug it in; 'alltact devices' lists what is found")};
 }
 
 }  // namespace alltact

@@ -27,9 +27,7 @@ HotPlug::~HotPlug() {
   udev_unref(context_);
 }
 
-int HotPlug::descriptor() const {
-  return udev_monitor_get_fd(monitor_);
-}
+int HotPlug::descriptor() const { return udev_monitor_get_fd(monitor_); }
 
 std::vector<HotPlug::Event> HotPlug::read() {
   std::vector<Event> events;

@@ -17,8 +17,7 @@ constexpr std::size_t kAdcAnswer = 7, kPinsAnswer = 22;          // positions in
 constexpr unsigned kChipSteps = 31;
 
 Error not_understood(const std::string& control) {
-  return {en::say("'{}' does not describe a dimmer", printable(control)),
-          "",
+  return {en::say("'{}' does not describe a dimmer", printable(control)), "",
           en::say("mcp2221a gp2, mcp2221a gp3, or a report such as 'output id=0 bytes=8 at=1 "
                   "range=0..255'")};
 }
@@ -46,9 +45,7 @@ bool read_word(const std::string& word, DimmerReport& report) {
   return key == "range" && read_range(value, report);
 }
 
-bool has_two_bytes(const DimmerReport& report) {
-  return std::max(report.low, report.high) > 255;
-}
+bool has_two_bytes(const DimmerReport& report) { return std::max(report.low, report.high) > 255; }
 
 }  // namespace
 
@@ -69,17 +66,11 @@ Result<DimmerReport> DimmerReport::parse(const std::string& text) {
 }
 
 std::string DimmerReport::text() const {
-  return fmt::format("{} id={} bytes={} at={} range={}..{}",
-                     is_feature ? "feature" : "output",
-                     id,
-                     bytes,
-                     at,
-                     low,
-                     high);
+  return fmt::format("{} id={} bytes={} at={} range={}..{}", is_feature ? "feature" : "output", id,
+                     bytes, at, low, high);
 }
 
-Result<LedDimmer> LedDimmer::create(std::unique_ptr<HidPort> port,
-                                    const std::string& device,
+Result<LedDimmer> LedDimmer::create(std::unique_ptr<HidPort> port, const std::string& device,
                                     const std::string& control) {
   LedDimmer dimmer;
   dimmer.port_ = std::move(port);
@@ -125,8 +116,7 @@ Result<std::vector<std::uint8_t>> LedDimmer::query_chip(const std::vector<std::u
   const bool is_good =
       answer->size() == kChipReport && (*answer)[0] == command[0] && (*answer)[1] == 0;
   if (!is_good)
-    return Error{en::say("the MCP2221A did not answer as expected"),
-                 setting_.device,
+    return Error{en::say("the MCP2221A did not answer as expected"), setting_.device,
                  en::say("plug it in again; close other programs that use it")};
   return answer;
 }

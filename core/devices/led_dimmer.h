@@ -39,8 +39,7 @@ class LedDimmer {
   /// control as in DimmerSetting. The MCP2221A's converter has 32 steps between 0 V and its supply;
   /// the other pins and the analogue inputs retain their settings. Error: `control` is not
   /// understood, or the chip does not answer.
-  static Result<LedDimmer> create(std::unique_ptr<HidPort> port,
-                                  const std::string& device,
+  static Result<LedDimmer> create(std::unique_ptr<HidPort> port, const std::string& device,
                                   const std::string& control);
 
   /// level in [0, 1]. Error: outside, or the device refused it.

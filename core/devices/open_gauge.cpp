@@ -41,8 +41,7 @@ int hex_digit(char c) {
   return -1;
 }
 
-Result<GaugeOpener> serial_opener(const GaugeChoice& choice,
-                                  const GaugeLineRules& rules,
+Result<GaugeOpener> serial_opener(const GaugeChoice& choice, const GaugeLineRules& rules,
                                   const GaugeDirections& directions) {
   SerialGaugeOptions options;
   options.node = choice.gauge.substr(std::string_view("serial:").size());
@@ -50,12 +49,10 @@ Result<GaugeOpener> serial_opener(const GaugeChoice& choice,
   options.directions = directions;
   options.ask_every_s = choice.ask_every_s;
   if (!choice.model.empty()) {
-    const auto model = std::find_if(kGaugeModels.begin(), kGaugeModels.end(), [&](const auto& m) {
-      return m.name == choice.model;
-    });
+    const auto model = std::find_if(kGaugeModels.begin(), kGaugeModels.end(),
+                                    [&](const auto& m) { return m.name == choice.model; });
     if (model == kGaugeModels.end())
-      return Error{en::say("there is no gauge '{}'", printable(choice.model)),
-                   "",
+      return Error{en::say("there is no gauge '{}'", printable(choice.model)), "",
                    en::say("mark10, imada or sauter, or the question and the speed")};
     options.ask = model->ask, options.baud = model->baud, options.rules.format = model->format;
   }
@@ -75,8 +72,7 @@ Result<GaugeOpener> hid_opener(const GaugeChoice& choice, const GaugeDirections&
   if (directions.count != 0 && directions.count != static_cast<int>(report->values.size()))
     return Error{
         en::say("there are {} directions for {} values", directions.count, report->values.size()),
-        "",
-        en::say("one for each, as x/y/z")};
+        "", en::say("one for each, as x/y/z")};
   return GaugeOpener([=, report = *report]() -> Result<std::unique_ptr<GaugeSource>> {
     auto port = open_hid(device);
     if (!port) return port.error();
@@ -120,8 +116,7 @@ Result<GaugeOpener> gauge_opener(const GaugeChoice& choice) {
   if (!choice.unit.empty()) {
     const auto unit = newtons_in(choice.unit);
     if (!unit)
-      return Error{en::say("'{}' is not a unit of force", printable(choice.unit)),
-                   "",
+      return Error{en::say("'{}' is not a unit of force", printable(choice.unit)), "",
                    en::say("N, mN, kN, g, kgf, lbf or ozf")};
     rules.unit_N = *unit;
   }
@@ -129,23 +124,19 @@ Result<GaugeOpener> gauge_opener(const GaugeChoice& choice) {
   const bool is_hid = choice.gauge.starts_with("hid:");
   if (is_hid && !choice.unit.empty())
     return Error{en::say("the unit of a HID gauge belongs in its report's description"),
-                 choice.gauge,
-                 en::say("unit= in the report's description")};
+                 choice.gauge, en::say("unit= in the report's description")};
   if (!is_serial && (!choice.model.empty() || !choice.ask.empty() || choice.baud != 0))
-    return Error{en::say("model, speed and question apply only to a serial gauge"),
-                 choice.gauge,
+    return Error{en::say("model, speed and question apply only to a serial gauge"), choice.gauge,
                  en::say("serial:/dev/ttyUSB0")};
   if (is_hid == choice.report.empty())
     return Error{is_hid
                      ? en::say("the position of the force in the gauge's reports is not specified")
                      : en::say("a report is specified for a gauge that is not a HID device"),
-                 choice.gauge,
-                 en::say("hid:DEVICE and 'id=3 at=1 type=s16 scale=0.01 unit=N'")};
+                 choice.gauge, en::say("hid:DEVICE and 'id=3 at=1 type=s16 scale=0.01 unit=N'")};
   if (is_serial) return serial_opener(choice, rules, directions);
   if (is_hid) return hid_opener(choice, directions);
   if (choice.gauge != "typed")
-    return Error{en::say("'{}' is not a gauge", printable(choice.gauge)),
-                 "",
+    return Error{en::say("'{}' is not a gauge", printable(choice.gauge)), "",
                  en::say("typed, serial:/dev/ttyUSB0 or hid:DEVICE")};
   return GaugeOpener([=]() -> Result<std::unique_ptr<GaugeSource>> {
     return std::unique_ptr<GaugeSource>(
@@ -217,10 +208,9 @@ Result<GaugeUpdate> SerialGauge::read(int timeout_ms) {
     if (const Status status = ask_when_due(update); !status) return status.error();
     double next_s = until_s;
     if (!options_.ask.empty())
-      next_s = std::min(next_s,
-                        lines_.is_within_line() ? lines_.last_byte_s() + pause_s
-                        : query_sent_s_         ? *query_sent_s_ + kAnswerTimeout_s
-                                                : next_ask_s_);
+      next_s = std::min(next_s, lines_.is_within_line() ? lines_.last_byte_s() + pause_s
+                                : query_sent_s_         ? *query_sent_s_ + kAnswerTimeout_s
+                                                        : next_ask_s_);
     const double wait_s = std::max(0.0, next_s - gauge_clock_s());
     const auto bytes = port_.read(static_cast<int>(std::ceil(1e3 * wait_s)));
     if (!bytes) return bytes.error();
@@ -353,8 +343,7 @@ Status set_up(int descriptor, const std::filesystem::path& node, speed_t speed, 
   termios now{};
   if (::tcgetattr(descriptor, &now) != 0) return line_error(doing, node, errno);
   if (::cfgetospeed(&now) != speed)
-    return Error{en::say("the serial line does not support {} baud", baud),
-                 node,
+    return Error{en::say("the serial line does not support {} baud", baud), node,
                  en::say("the speed given in the gauge's manual")};
   return {};
 }
@@ -387,8 +376,7 @@ std::vector<std::filesystem::path> serial_ports() {
 Result<SerialPort> SerialPort::open(const std::filesystem::path& node, int baud) {
   const auto speed = speed_codes().find(baud);
   if (speed == speed_codes().end())
-    return Error{en::say("{} baud is not a speed of a serial line", baud),
-                 node,
+    return Error{en::say("{} baud is not a speed of a serial line", baud), node,
                  en::say("9600, 19200, 115200 or the speed in the gauge's manual")};
   SerialPort port;
   port.node_ = node;
@@ -413,9 +401,7 @@ SerialPort& SerialPort::operator=(SerialPort&& other) noexcept {
   return *this;
 }
 
-SerialPort::~SerialPort() {
-  close();
-}
+SerialPort::~SerialPort() { close(); }
 
 void SerialPort::close() {
   if (descriptor_ < 0) return;
@@ -456,9 +442,7 @@ Status SerialPort::write(std::string_view bytes) {
   return {};
 }
 
-void SerialPort::discard_input() {
-  ::tcflush(descriptor_, TCIFLUSH);
-}
+void SerialPort::discard_input() { ::tcflush(descriptor_, TCIFLUSH); }
 
 namespace {
 
@@ -561,8 +545,8 @@ std::vector<std::string> table_cells(std::string_view line) {
 }  // namespace
 
 Result<GaugeReport> GaugeReport::parse(const std::string& text) {
-  const Error wrong{
-      en::say("'{}' does not describe a gauge's report", printable(text)), "", report_advice()};
+  const Error wrong{en::say("'{}' does not describe a gauge's report", printable(text)), "",
+                    report_advice()};
   GaugeReport report;
   Value value;
   std::istringstream words(text);
@@ -600,8 +584,8 @@ Result<GaugeReport> GaugeReport::parse_table(std::string_view csv,
       continue;
     }
     if (cells.size() != names.size())
-      return Error{
-          en::say("has {} cells, not {}", cells.size(), names.size()), where, report_advice()};
+      return Error{en::say("has {} cells, not {}", cells.size(), names.size()), where,
+                   report_advice()};
     bool has_offset = false;
     for (std::size_t i = 0; i < cells.size(); ++i) {
       if (cells[i].empty()) continue;
@@ -610,12 +594,11 @@ Result<GaugeReport> GaugeReport::parse_table(std::string_view csv,
                                              : take_setting(names[i], cells[i], value);
       if (!is_taken)
         return Error{en::say("'{}' is not a valid {}", printable(cells[i]), printable(names[i])),
-                     where,
-                     report_advice()};
+                     where, report_advice()};
     }
     if (!has_offset)
-      return Error{
-          en::say("the column '{}' is missing", std::string("at")), where, report_advice()};
+      return Error{en::say("the column '{}' is missing", std::string("at")), where,
+                   report_advice()};
     report.values.push_back(value);
   }
   if (!is_possible(report))

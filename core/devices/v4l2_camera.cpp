@@ -50,8 +50,7 @@ Result<std::unique_ptr<V4l2Camera>> V4l2Camera::open(const CameraAccess& access,
   const auto capability = device->capability();
   if (!capability) return capability.error();
   if (!capability->is_capture || capability->is_multi_planar || !capability->can_stream)
-    return Error{en::say("this device node delivers no readable images"),
-                 *node,
+    return Error{en::say("this device node delivers no readable images"), *node,
                  en::say("a camera that 'alltact devices' lists as usable")};
   std::unique_ptr<V4l2Camera> camera(new V4l2Camera(access, criteria));
   camera->restore_values_ = controls;
@@ -326,13 +325,11 @@ void V4l2Camera::renegotiate() {
   trouble(
       CameraState::kStalled,
       {en::say("the camera's signal changed: it sent {}, and sends {} now", before, format_.text()),
-       access_.identity,
-       en::say("check what is plugged into it, if this was not intended")});
+       access_.identity, en::say("check what is plugged into it, if this was not intended")});
 }
 
 Error V4l2Camera::unplugged() const {
-  return {en::say("the camera was unplugged"),
-          access_.identity,
+  return {en::say("the camera was unplugged"), access_.identity,
           en::say("plug it in again; it continues by itself with the same settings")};
 }
 
@@ -418,8 +415,7 @@ std::shared_ptr<const std::string> V4l2Camera::controls_now() {
 
 CameraSettings V4l2Camera::settings() const {
   const std::lock_guard lock(device_mutex_);
-  return {access_.identity,
-          format_,
+  return {access_.identity, format_,
           device_ == nullptr ? restore_values_ : settings_of(list_controls(*device_))};
 }
 
@@ -493,8 +489,8 @@ void V4l2Camera::on_change(const ControlValue& change) {
     const std::lock_guard status_lock(status_mutex_);
     ++status_.counts.restored;
   }
-  const Message changed = en::say(
-      "'{}' was changed from {} to {} by something else", held->name, held->value, change.value);
+  const Message changed = en::say("'{}' was changed from {} to {} by something else", held->name,
+                                  held->value, change.value);
   remark(
       en::clauses({changed, status.ok() ? en::say("it was restored") : status.error().message()}));
 }
@@ -511,8 +507,7 @@ Result<FramePtr> CameraSource::next() {
   if (auto item = queue_->next(std::chrono::seconds(1))) return std::move(*item);
   const auto status = camera_->status();
   if (status.trouble) return *status.trouble;
-  return Error{en::say("the camera has sent no image for a second"),
-               camera_->settings().identity,
+  return Error{en::say("the camera has sent no image for a second"), camera_->settings().identity,
                en::say("check the cable and the USB port")};
 }
 

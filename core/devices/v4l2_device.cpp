@@ -93,23 +93,18 @@ void add_rates(const V4l2Device& device, CameraFormat format, std::vector<Camera
   if (formats.size() == before) formats.push_back(format);
 }
 
-void add_size(const V4l2Device& device,
-              std::uint32_t fourcc,
-              std::uint32_t width,
-              std::uint32_t height,
-              std::vector<CameraFormat>& formats) {
+void add_size(const V4l2Device& device, std::uint32_t fourcc, std::uint32_t width,
+              std::uint32_t height, std::vector<CameraFormat>& formats) {
   if (width == 0 || height == 0 || width > 32768 || height > 32768) return;
   add_rates(device, {fourcc, static_cast<int>(width), static_cast<int>(height), 0, 0}, formats);
 }
 
-void add_stepwise(const V4l2Device& device,
-                  std::uint32_t fourcc,
-                  const v4l2_frmsize_stepwise& range,
-                  std::vector<CameraFormat>& formats) {
-  const auto fits =
-      [](std::uint32_t value, std::uint32_t low, std::uint32_t high, std::uint32_t step) {
-        return value >= low && value <= high && (value - low) % std::max(step, 1U) == 0;
-      };
+void add_stepwise(const V4l2Device& device, std::uint32_t fourcc,
+                  const v4l2_frmsize_stepwise& range, std::vector<CameraFormat>& formats) {
+  const auto fits = [](std::uint32_t value, std::uint32_t low, std::uint32_t high,
+                       std::uint32_t step) {
+    return value >= low && value <= high && (value - low) % std::max(step, 1U) == 0;
+  };
   add_size(device, fourcc, range.min_width, range.min_height, formats);
   for (const auto& [width, height] : {std::pair{640U, 480U}, {1280U, 720U}, {1920U, 1080U}})
     if (fits(width, range.min_width, range.max_width, range.step_width) &&
@@ -175,13 +170,11 @@ Message CameraFormat::text() const {
 }
 
 Result<CameraFormat> choose_format(const std::vector<CameraFormat>& offered,
-                                   const FormatCriteria& criteria,
-                                   const std::string& node) {
+                                   const FormatCriteria& criteria, const std::string& node) {
   const auto worth = [](const CameraFormat& format) {
     const double rate = format.frames_per_second();
     return std::tuple(rate == 0 || rate > 24.5,
-                      static_cast<std::int64_t>(format.width_px) * format.height_px,
-                      rate,
+                      static_cast<std::int64_t>(format.width_px) * format.height_px, rate,
                       rank_of(format.fourcc));
   };
   const CameraFormat* best = nullptr;
@@ -190,8 +183,7 @@ Result<CameraFormat> choose_format(const std::vector<CameraFormat>& offered,
       best = &format;
   if (best == nullptr)
     return Error{en::say("the camera has no such readable format; it offers {}", listed(offered)),
-                 node,
-                 en::say("one of these in GREY, Y16, YUYV or MJPG")};
+                 node, en::say("one of these in GREY, Y16, YUYV or MJPG")};
   return *best;
 }
 
@@ -268,17 +260,14 @@ Result<std::size_t> V4l2Device::configure(CameraFormat& format) const {
   image_format.pixelformat = format.fourcc;
   image_format.field = V4L2_FIELD_NONE;
   if (const int error = ioctl(VIDIOC_S_FMT, &request); error != 0)
-    return camera_error(
-        en::say("the camera's format cannot be set to {}", format.text()), node_, error);
-  const CameraFormat got{image_format.pixelformat,
-                         static_cast<int>(image_format.width),
-                         static_cast<int>(image_format.height),
-                         format.seconds_numerator,
+    return camera_error(en::say("the camera's format cannot be set to {}", format.text()), node_,
+                        error);
+  const CameraFormat got{image_format.pixelformat, static_cast<int>(image_format.width),
+                         static_cast<int>(image_format.height), format.seconds_numerator,
                          format.seconds_denominator};
   if (got != format)
     return Error{en::say("{} was requested, but the camera chose {}", format.text(), got.text()),
-                 node_,
-                 en::say("a format that 'alltact devices --details' lists for it")};
+                 node_, en::say("a format that 'alltact devices --details' lists for it")};
   if (format.seconds_numerator == 0) return image_format.bytesperline;
 
   auto rate = cleared<v4l2_streamparm>();
@@ -423,8 +412,6 @@ V4l2Stream::Taken V4l2Stream::take() {
   return {0, filled};
 }
 
-int V4l2Stream::requeue(const Filled& filled) {
-  return queue(filled.index);
-}
+int V4l2Stream::requeue(const Filled& filled) { return queue(filled.index); }
 
 }  // namespace alltact

@@ -138,8 +138,7 @@ class Finger {
                              std::vector<Message>* warnings = nullptr);
 
   /// Parses a file's content like load(); `origin` is its name in errors.
-  static Result<Finger> parse(const std::string& yaml,
-                              const std::filesystem::path& origin,
+  static Result<Finger> parse(const std::string& yaml, const std::filesystem::path& origin,
                               std::vector<Message>* warnings = nullptr);
 
   /// Writes FOLDER/finger.yaml atomically; an invalid finger is refused. Keys have the order of the
@@ -178,8 +177,7 @@ class Finger {
 
 /// Writes such a file, without the `camera:` line. Error: no valid camera, or not writable.
 [[nodiscard]] Status save_camera(const std::filesystem::path& file,
-                                 const CameraParameters& parameters,
-                                 const LensRecord& record = {});
+                                 const CameraParameters& parameters, const LensRecord& record = {});
 
 // The faces of a finger.
 

@@ -26,8 +26,8 @@ std::string written(const fs::path& file) {
   const DiskWait waiting(file);
   struct stat of {};
   if (stat(file.c_str(), &of) != 0) return {};
-  return fmt::format(
-      "{} {} {}.{:09}", of.st_ino, of.st_size, of.st_mtim.tv_sec, of.st_mtim.tv_nsec);
+  return fmt::format("{} {} {}.{:09}", of.st_ino, of.st_size, of.st_mtim.tv_sec,
+                     of.st_mtim.tv_nsec);
 }
 
 /// Warns of dates ahead of the clock: a wrong clock reverses the order of dates.
@@ -37,9 +37,7 @@ std::optional<Message> about_clock(const Finger& finger) {
     if (key.ends_with("_date") && is_ahead_of_clock(value)) latest = std::max(latest, value);
   if (latest.empty()) return std::nullopt;
   return en::say("{} was last changed at {}, and this computer's clock shows {}: set the clock",
-                 finger.name,
-                 latest,
-                 utc_now());
+                 finger.name, latest, utc_now());
 }
 
 /// Loads everything but the presses.
@@ -264,11 +262,8 @@ FingerSnapshot reduced_finger(const FingerSnapshot& finger, int by) {
   return reduced;
 }
 
-Result<cv::Mat> image_for(const FingerSnapshot& finger,
-                          const cv::Mat& raw,
-                          const Message& what,
-                          const Where& where,
-                          const Message& advice) {
+Result<cv::Mat> image_for(const FingerSnapshot& finger, const cv::Mat& raw, const Message& what,
+                          const Where& where, const Message& advice) {
   const CameraParameters& camera =
       finger.reduced_by == 1 ? finger.finger.camera : finger.full_camera;
   auto turned = oriented_for(camera, raw, what, where, advice);
@@ -280,8 +275,7 @@ Result<Finger> make_finger(const NewFinger& requested) {
   std::error_code ignored;
   const std::filesystem::path file = requested.finger / Finger::kFileName;
   if (std::filesystem::exists(file, ignored)) {
-    return Error{en::say("there is a finger already, and it is never overwritten"),
-                 file.string(),
+    return Error{en::say("there is a finger already, and it is never overwritten"), file.string(),
                  en::say("another folder, or moving that one away")};
   }
   LensRecord lens_record;

@@ -123,10 +123,8 @@ void copy_provenance(const Finger& from, const std::string& key, Finger& finger)
 
 /// A raw image in the orientation of the finger's camera, reduced like the finger. Error: its size
 /// differs from the finger's camera, see oriented_for().
-[[nodiscard]] Result<cv::Mat> image_for(const FingerSnapshot& finger,
-                                        const cv::Mat& raw,
-                                        const Message& what,
-                                        const Where& where,
+[[nodiscard]] Result<cv::Mat> image_for(const FingerSnapshot& finger, const cv::Mat& raw,
+                                        const Message& what, const Where& where,
                                         const Message& advice);
 
 // Input for a new finger, from the window or the command line.

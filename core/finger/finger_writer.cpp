@@ -53,11 +53,8 @@ std::string basis_text(const CalibrationBasis& basis, const UnknownKeys& unknown
     std::vector<std::string> kinds, rows;
     for (const RecordedContradiction& one : basis.contradictions) {
       kinds.push_back(yaml_text(one.kind));
-      rows.push_back(yaml_numbers({static_cast<double>(one.presses),
-                                   static_cast<double>(one.of),
-                                   one.given_mm,
-                                   one.measured_mm,
-                                   one.measured_to_mm}));
+      rows.push_back(yaml_numbers({static_cast<double>(one.presses), static_cast<double>(one.of),
+                                   one.given_mm, one.measured_mm, one.measured_to_mm}));
     }
     block.add("contradictions", yaml_list(kinds));
     block.add("contradictions_mm", yaml_list(rows));
@@ -80,8 +77,7 @@ void add_record(const MappingRecord& record, const UnknownKeys& unknown, YamlBlo
 }
 
 std::string mapping_text(const MappingParameters& parameters,
-                         const std::optional<MappingRecord>& record,
-                         const UnknownKeys& unknown) {
+                         const std::optional<MappingRecord>& record, const UnknownKeys& unknown) {
   YamlBlock block("mapping");
   block.add("kind", word_of(kMappingKinds, parameters.kind));
   block.add("along", std::string(to_string(parameters.along)));

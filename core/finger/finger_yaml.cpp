@@ -24,8 +24,7 @@ Result<Finger> Finger::load(const std::filesystem::path& folder, std::vector<Mes
   return parse(*content, path, warnings);
 }
 
-Result<Finger> Finger::parse(const std::string& yaml,
-                             const std::filesystem::path& origin,
+Result<Finger> Finger::parse(const std::string& yaml, const std::filesystem::path& origin,
                              std::vector<Message>* warnings) {
   YamlFile file(origin);
   Finger finger;
@@ -63,14 +62,11 @@ E read_camera_word(YamlSection& section, const std::string& key, const std::arra
   return meanings[section.choice(key, words)];
 }
 
-constexpr std::array kModels{
-    CameraModel::kPinhole, CameraModel::kBrown, CameraModel::kFisheye, CameraModel::kOrthographic};
-constexpr std::array kOrientations{Orientation::kNone,
-                                   Orientation::kFlipU,
-                                   Orientation::kFlipV,
-                                   Orientation::kRotate180,
-                                   Orientation::kRotate90,
-                                   Orientation::kRotate270};
+constexpr std::array kModels{CameraModel::kPinhole, CameraModel::kBrown, CameraModel::kFisheye,
+                             CameraModel::kOrthographic};
+constexpr std::array kOrientations{Orientation::kNone,     Orientation::kFlipU,
+                                   Orientation::kFlipV,    Orientation::kRotate180,
+                                   Orientation::kRotate90, Orientation::kRotate270};
 
 void read_size(YamlSection& section, CameraParameters& parameters) {
   const std::vector<double> size = section.numbers("size");
@@ -123,10 +119,8 @@ CameraParameters read_camera(YamlSection& section, LensRecord& record) {
   return parameters;
 }
 
-void add_camera(const CameraParameters& parameters,
-                const LensRecord& record,
-                const UnknownKeys& unknown,
-                YamlBlock& block) {
+void add_camera(const CameraParameters& parameters, const LensRecord& record,
+                const UnknownKeys& unknown, YamlBlock& block) {
   block.add("model", std::string(to_string(parameters.model)));
   block.add("size", fmt::format("[{}, {}]", parameters.width_px, parameters.height_px));
   if (parameters.model == CameraModel::kOrthographic) {
@@ -177,8 +171,7 @@ std::string camera_fingerprint(const CameraParameters& parameters) {
   return checksum.text();
 }
 
-Status save_camera(const std::filesystem::path& path,
-                   const CameraParameters& parameters,
+Status save_camera(const std::filesystem::path& path, const CameraParameters& parameters,
                    const LensRecord& record) {
   if (const Status status = check_camera_range(parameters); !status) return status.error();
   YamlBlock block("");
@@ -194,8 +187,8 @@ RigidTransform read_pose(YamlSection section) {
   pose.translation_mm = {at[0], at[1], at[2]};
   const std::vector<double> turn = section.numbers("rotation");
   if (turn.size() != 4)
-    section.refuse(
-        "rotation", en::say("must be four numbers: w, x, y, z of a unit quaternion"), "");
+    section.refuse("rotation", en::say("must be four numbers: w, x, y, z of a unit quaternion"),
+                   "");
   pose.rotation = {turn[0], turn[1], turn[2], turn[3]};
   return pose;
 }
@@ -210,8 +203,7 @@ void add_pose(const RigidTransform& pose, YamlBlock& block) {
 std::optional<Error> pose_problem(const RigidTransform& pose, const std::string& key) {
   for (const double along : pose.translation_mm)
     if (!(along >= -1e4 && along <= 1e4))
-      return Error{en::say("must be three numbers from -10000 to 10000"),
-                   key + ".translation_mm",
+      return Error{en::say("must be three numbers from -10000 to 10000"), key + ".translation_mm",
                    en::say("where the camera sits in the gripper, in mm")};
   if (const double norm = pose.rotation.norm(); !(norm >= 0.999 && norm <= 1.001))
     return Error{en::say("is no rotation: a quaternion w, x, y, z has the length 1"),
@@ -258,8 +250,8 @@ Eigen::MatrixXd read_covariance(YamlSection& section) {
   const auto rows = section.rows("covariance");
   const std::size_t size = rows.size();
   if (!std::all_of(rows.begin(), rows.end(), [&](const auto& row) { return row.size() == size; }))
-    section.refuse(
-        "covariance", en::say("must have as many numbers in each row as there are rows"), "");
+    section.refuse("covariance", en::say("must have as many numbers in each row as there are rows"),
+                   "");
   Eigen::MatrixXd covariance(size, size);
   for (std::size_t row = 0; row < size; ++row)
     for (std::size_t column = 0; column < size; ++column)
@@ -280,8 +272,7 @@ void check_powers(YamlSection& section, const MappingParameters& parameters) {
   for (std::size_t i = 0; is_same && i < powers.size(); ++i, x *= parameters.x_max)
     is_same = std::abs(stated[i] - powers[i]) * x <= 1e-6 * stated_scale;
   if (!is_same)
-    section.refuse("powers",
-                   en::say("is not the curve that 'chebyshev' gives"),
+    section.refuse("powers", en::say("is not the curve that 'chebyshev' gives"),
                    en::say("remove this line: it is only for people to read"));
 }
 
@@ -306,8 +297,7 @@ MappingParameters read_mapping(YamlSection& section) {
   if (section.has("along")) parameters.along = read_word<MappingAlong>(section, "along", kAlongs);
   const std::vector<double> domain = section.numbers("domain");
   if (domain.size() != 2 || domain[0] != 0)
-    section.refuse("domain",
-                   en::say("must be two numbers, the first of them 0"),
+    section.refuse("domain", en::say("must be two numbers, the first of them 0"),
                    en::say("for example [0.0, 0.62]"));
   parameters.x_max = domain[1];
   if (section.has("varies")) parameters.variation = read_variation(section.section("varies"));
@@ -354,25 +344,16 @@ CalibrationBasis read_basis(YamlSection section) {
   for (std::size_t i = 0; i < kinds.size(); ++i) {
     if (rows[i].size() != 5)
       section.refuse("contradictions_mm", en::say("must hold five numbers in each row"), "");
-    basis.contradictions.push_back({kinds[i],
-                                    static_cast<int>(std::clamp(rows[i][0], 0.0, 1e6)),
-                                    static_cast<int>(std::clamp(rows[i][1], 0.0, 1e6)),
-                                    rows[i][2],
-                                    rows[i][3],
-                                    rows[i][4]});
+    basis.contradictions.push_back({kinds[i], static_cast<int>(std::clamp(rows[i][0], 0.0, 1e6)),
+                                    static_cast<int>(std::clamp(rows[i][1], 0.0, 1e6)), rows[i][2],
+                                    rows[i][3], rows[i][4]});
   }
   return basis;
 }
 
 std::optional<MappingRecord> read_record(YamlSection& section) {
-  const std::array keys{"method",
-                        "presses",
-                        "residual_mm",
-                        "held_out_mm",
-                        "spread_mm",
-                        "pixel_mm",
-                        "degree_choice",
-                        "basis"};
+  const std::array keys{"method",    "presses",  "residual_mm",   "held_out_mm",
+                        "spread_mm", "pixel_mm", "degree_choice", "basis"};
   if (std::none_of(keys.begin(), keys.end(), [&](const char* key) { return section.has(key); }))
     return std::nullopt;
   MappingRecord record;
@@ -411,8 +392,7 @@ ContactSettings read_contact(YamlSection section) {
   contact.threshold_px = section.number("threshold_px", en::say("a sum of offsets in pixels"));
   for (const std::vector<double>& row : section.rows("rest_markers")) {
     if (row.size() != 2)
-      section.refuse("rest_markers",
-                     en::say("must hold two numbers for each marker"),
+      section.refuse("rest_markers", en::say("must hold two numbers for each marker"),
                      en::say("[[u, v], ...]"));
     contact.rest_markers.emplace_back(row[0], row[1]);
   }
@@ -424,8 +404,7 @@ ContactSettings read_contact(YamlSection section) {
 Finger read_finger(YamlSection& top) {
   Finger finger;
   if (const std::string format = top.text("format"); format != Finger::kFormat)
-    top.refuse("format",
-               en::say("'{}' cannot be read by this version", printable(format)),
+    top.refuse("format", en::say("'{}' cannot be read by this version", printable(format)),
                en::say("a newer version of this program, or '{}'", std::string(Finger::kFormat)));
   finger.name = top.text("name");
   YamlSection camera = top.section("camera");

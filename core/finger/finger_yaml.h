@@ -32,10 +32,8 @@ inline const FingerWords kAlongs{"z", "normal", "projected"};
 /// For YamlFile::read(). Checks the form of the values; Camera::create() checks the values.
 [[nodiscard]] CameraParameters read_camera(YamlSection& section, LensRecord& record);
 /// `unknown`: the file's other keys; the caller adds those directly under `camera`.
-void add_camera(const CameraParameters& parameters,
-                const LensRecord& record,
-                const UnknownKeys& unknown,
-                YamlBlock& block);
+void add_camera(const CameraParameters& parameters, const LensRecord& record,
+                const UnknownKeys& unknown, YamlBlock& block);
 
 // Pose of a camera, to and from YAML: `translation_mm` and `rotation` of a RigidTransform.
 

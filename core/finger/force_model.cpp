@@ -171,10 +171,8 @@ Status ForceModel::belongs_to(const Finger& finger) const {
   const Message advice = en::say("alltact force with a table of this finger's markers");
   if (finger.marker_count() != marker_count || finger.markers.missing != missing)
     return Error{en::say("the force model was trained with {} markers, the finger has {} others",
-                         marker_count,
-                         finger.marker_count()),
-                 std::string("force.model"),
-                 advice};
+                         marker_count, finger.marker_count()),
+                 std::string("force.model"), advice};
   if (!finger.contact) return {};
   double far_px = 0;
   for (std::size_t m = 0; m < rest_px.size(); ++m)
@@ -183,8 +181,7 @@ Status ForceModel::belongs_to(const Finger& finger) const {
   return Error{en::say("the force model belongs to another reference: its markers rested up to "
                        "{:.1f} px off the present positions",
                        far_px),
-               std::string("force.model"),
-               advice};
+               std::string("force.model"), advice};
 }
 
 // The file format of force models.
@@ -299,8 +296,8 @@ Eigen::MatrixXd matrix_at(const ForceJson& json, const std::string& key, const s
   if (rows < 0 || columns < 0 || rows > kMaxFeatures || columns > kMaxFeatures ||
       Eigen::Index{rows} * columns != numbers.size())
     refuse_model(full_key, en::say("holds {} numbers, not {} x {}", numbers.size(), rows, columns));
-  return Eigen::Map<const Eigen::Matrix<double, -1, -1, Eigen::RowMajor>>(
-      numbers.data(), rows, columns);
+  return Eigen::Map<const Eigen::Matrix<double, -1, -1, Eigen::RowMajor>>(numbers.data(), rows,
+                                                                          columns);
 }
 
 bool bool_at(const ForceJson& json, const std::string& key, const std::string& path) {
@@ -361,13 +358,12 @@ ForceMember member_from(const ForceJson& json, const std::string& path) {
 ForceModel model_from(const ForceJson& json) {
   const ForceJson& format = at(json, "format", "force");
   if (!format.is_string() || format.get<std::string>() != ForceModel::kFormat)
-    refuse_model("format",
-                 en::say("'{}' cannot be read by this version",
-                         printable(format.is_string() ? format.get<std::string>() : "")));
+    refuse_model("format", en::say("'{}' cannot be read by this version",
+                                   printable(format.is_string() ? format.get<std::string>() : "")));
   ForceModel model;
   const ForceJson& kind = at(json, "kind", "force");
-  const auto word = std::find(
-      kForceKinds.begin(), kForceKinds.end(), kind.is_string() ? kind.get<std::string>() : "");
+  const auto word = std::find(kForceKinds.begin(), kForceKinds.end(),
+                              kind.is_string() ? kind.get<std::string>() : "");
   if (word == kForceKinds.end())
     refuse_model("kind", en::say("must be mean, ridge, quadratic or network"));
   model.kind = static_cast<ForceKind>(word - kForceKinds.begin() + 1);
@@ -381,8 +377,7 @@ ForceModel model_from(const ForceJson& json) {
   model.creep_s = number_of(at(json, "creep_s", "force"), "creep_s");
   model.range = range_from(at(json, "range", "force"));
   const ForceJson& scores = at(json, "scores", "force");
-  model.scores = {vector_at(scores, "floor_N", "scores"),
-                  vector_at(scores, "rms", "scores"),
+  model.scores = {vector_at(scores, "floor_N", "scores"), vector_at(scores, "rms", "scores"),
                   vector_at(scores, "quantile_90", "scores"),
                   vector_at(scores, "quantile_95", "scores")};
   for (const ForceJson& member : array_of(at(json, "members", "force"), "members"))
@@ -429,10 +424,8 @@ void check_basis(const ForceBasis& basis, const ForceModel& model, const std::st
   check_shape(basis.extra_scale.size() == basis.extras(), path + ".extra_scale");
 }
 
-void check_regressor(const ForceRegressor& regressor,
-                     const ForceBasis& basis,
-                     const ForceModel& model,
-                     const std::string& path) {
+void check_regressor(const ForceRegressor& regressor, const ForceBasis& basis,
+                     const ForceModel& model, const std::string& path) {
   check_shape(regressor.size() == (model.kind == ForceKind::kNetwork ? 3U : 1U), path);
   Eigen::Index inputs = basis.size();
   for (const ForceLayer& layer : regressor) {
@@ -512,8 +505,7 @@ Result<ForceModel> ForceModel::parse(std::string_view text, const std::filesyste
   };
   const ForceJson json = ForceJson::parse(text, nullptr, /*allow_exceptions=*/false);
   if (json.is_discarded())
-    return Error{en::say("is not a force model: damaged or truncated"),
-                 origin,
+    return Error{en::say("is not a force model: damaged or truncated"), origin,
                  en::say("train the force model again")};
   try {
     ForceModel model = model_from(json);

@@ -63,8 +63,8 @@ struct ForceInput {
 };
 
 enum class ForceKind { kMean = 1, kRidge, kQuadratic, kNetwork };
-inline constexpr std::array<std::string_view, 4> kForceKinds{
-    "mean", "ridge", "quadratic", "network"};
+inline constexpr std::array<std::string_view, 4> kForceKinds{"mean", "ridge", "quadratic",
+                                                             "network"};
 [[nodiscard]] inline std::string to_string(ForceKind kind) {
   return std::string(kForceKinds.at(static_cast<std::size_t>(kind) - 1));
 }

@@ -65,8 +65,7 @@ template <class Number>
 
 /// Clamps x to the curve's domain.
 template <class Number>
-[[gnu::always_inline]] inline Number clamped(Number low,
-                                             std::type_identity_t<Number> high,
+[[gnu::always_inline]] inline Number clamped(Number low, std::type_identity_t<Number> high,
                                              std::type_identity_t<Number> x) {
   return at_most(high, at_least(low, x));
 }
@@ -75,8 +74,8 @@ template <class Number>
 /// largest coefficient. `powers` holds exactly N values; unrolled, so that only x and the result
 /// access memory.
 template <int N>
-[[gnu::always_inline]] inline void polynomial_loop(
-    const double* powers, Loop loop, const float* x, float* depth_mm, int n) {
+[[gnu::always_inline]] inline void polynomial_loop(const double* powers, Loop loop, const float* x,
+                                                   float* depth_mm, int n) {
   float p[N];
   for (int k = 0; k < N; ++k) p[k] = static_cast<float>(powers[k]);
   const auto x_max = static_cast<float>(loop.x_max), limit = static_cast<float>(loop.limit),
@@ -95,22 +94,22 @@ template <int N>
   }
 }
 
-ALLTACT_WIDE void polynomial_depths_4(
-    const double* powers, Loop loop, const float* x, float* depth_mm, int n) {
+ALLTACT_WIDE void polynomial_depths_4(const double* powers, Loop loop, const float* x,
+                                      float* depth_mm, int n) {
   polynomial_loop<4>(powers, loop, x, depth_mm, n);
 }
-ALLTACT_WIDE void polynomial_depths_8(
-    const double* powers, Loop loop, const float* x, float* depth_mm, int n) {
+ALLTACT_WIDE void polynomial_depths_8(const double* powers, Loop loop, const float* x,
+                                      float* depth_mm, int n) {
   polynomial_loop<8>(powers, loop, x, depth_mm, n);
 }
-ALLTACT_WIDE void polynomial_depths_12(
-    const double* powers, Loop loop, const float* x, float* depth_mm, int n) {
+ALLTACT_WIDE void polynomial_depths_12(const double* powers, Loop loop, const float* x,
+                                       float* depth_mm, int n) {
   polynomial_loop<kMaxCoefficients>(powers, loop, x, depth_mm, n);
 }
 
 // Single precision throughout: nothing here cancels but 1 + b x near the pole.
-ALLTACT_WIDE void moebius_depths(
-    float a_mm, float b, Loop loop, const float* x, float* depth_mm, int n) {
+ALLTACT_WIDE void moebius_depths(float a_mm, float b, Loop loop, const float* x, float* depth_mm,
+                                 int n) {
   const auto x_min = static_cast<float>(loop.x_min), x_max = static_cast<float>(loop.x_max),
              limit = static_cast<float>(loop.limit),
              start_slope = static_cast<float>(loop.start_slope),
@@ -127,8 +126,7 @@ ALLTACT_WIDE void moebius_depths(
 std::optional<Error> covariance_problem(const Eigen::MatrixXd& covariance, Eigen::Index expected) {
   if (covariance.size() == 0) return std::nullopt;
   const auto problem = [](Message what) {
-    return Error{std::move(what),
-                 std::string("mapping.covariance"),
+    return Error{std::move(what), std::string("mapping.covariance"),
                  en::say("leave it out, or calibrate again")};
   };
   if (covariance.rows() != expected || covariance.cols() != expected)
@@ -149,33 +147,28 @@ std::optional<Error> variation_problem(const FaceVariation& variation) {
   if (is_one) return std::nullopt;
   return Error{
       en::say("must hold finite numbers, half_mm above 0, along and across together at most 0.5"),
-      std::string("mapping.varies"),
-      en::say("leave it out, or calibrate again")};
+      std::string("mapping.varies"), en::say("leave it out, or calibrate again")};
 }
 
 std::optional<Error> coefficient_problem(const MappingParameters& p) {
   if (p.kind == MappingKind::kMoebius) {
     if (!(p.a_mm > 0 && std::isfinite(p.a_mm)))
-      return Error{en::say("must be a positive number"),
-                   std::string("mapping.a_mm"),
+      return Error{en::say("must be a positive number"), std::string("mapping.a_mm"),
                    en::say("calibrate again")};
     if (!(p.b > -1 / p.x_max && p.b <= 1e6))
       return Error{en::say("must be greater than {:.6g}, where the curve has its pole, and at "
                            "most 1000000",
                            -1 / p.x_max),
-                   std::string("mapping.b"),
-                   en::say("calibrate again")};
+                   std::string("mapping.b"), en::say("calibrate again")};
     return std::nullopt;
   }
   if (p.chebyshev.empty() || p.chebyshev.size() > kMaxCoefficients)
     return Error{en::say("must hold 1 to {} numbers", kMaxCoefficients),
-                 std::string("mapping.chebyshev"),
-                 en::say("calibrate again")};
+                 std::string("mapping.chebyshev"), en::say("calibrate again")};
   for (double c : p.chebyshev)
     if (!(std::abs(c) <= 1e6))
       return Error{en::say("holds a number that is no coefficient in mm"),
-                   std::string("mapping.chebyshev"),
-                   en::say("calibrate again")};
+                   std::string("mapping.chebyshev"), en::say("calibrate again")};
   return std::nullopt;
 }
 
@@ -204,8 +197,7 @@ Result<Mapping> Mapping::create(MappingParameters parameters) {
   if (!(parameters.x_max > 0 && parameters.x_max <= 1))
     return Error{
         en::say("must end above 0 and at 1 or below: it is a relative difference of brightness"),
-        std::string("mapping.domain"),
-        en::say("calibrate again")};
+        std::string("mapping.domain"), en::say("calibrate again")};
   if (auto problem = coefficient_problem(parameters)) return *problem;
   const bool is_moebius = parameters.kind == MappingKind::kMoebius;
   if (auto problem = variation_problem(parameters.variation)) return *problem;
@@ -224,18 +216,15 @@ Result<Mapping> Mapping::create(MappingParameters parameters) {
       const double slope = mapping.slope_mm(x);
       if (!(slope > 0 && std::isfinite(slope)))
         return Error{
-            en::say("the curve does not rise at x = {:.4g} (slope {:.4g} mm)", x, slope),
-            key,
+            en::say("the curve does not rise at x = {:.4g} (slope {:.4g} mm)", x, slope), key,
             en::say("calibrate with fewer coefficients or as moebius, or with deeper presses")};
     }
   }
   if (!(mapping.end_depth_mm_ > 0 && mapping.end_depth_mm_ <= kMaxDepthMm))
     return Error{en::say("gives a depth of {:.4g} mm at the end of its domain; it must lie "
                          "above 0 and below {:g} mm",
-                         mapping.end_depth_mm_,
-                         kMaxDepthMm),
-                 key,
-                 en::say("calibrate again")};
+                         mapping.end_depth_mm_, kMaxDepthMm),
+                 key, en::say("calibrate again")};
   return mapping;
 }
 
@@ -247,8 +236,8 @@ double Mapping::depth_mm(double x) const {
           ? parameters_.a_mm * inside / (1 + parameters_.b * inside)
           : inside * chebyshev_sum(parameters_.chebyshev, 2 * inside / parameters_.x_max - 1).value;
   const double limit_mm = kLimitFactor * end_depth_mm_;
-  return clamped(
-      -limit_mm, limit_mm, curve + (outside < 0 ? start_slope_mm_ : end_slope_mm_) * outside);
+  return clamped(-limit_mm, limit_mm,
+                 curve + (outside < 0 ? start_slope_mm_ : end_slope_mm_) * outside);
 }
 
 double Mapping::slope_mm(double x) const {
@@ -314,15 +303,11 @@ double Mapping::difference_at(double depth_mm) const {
 }
 
 void Mapping::depths_mm(const float* x, float* depth_mm, int n) const {
-  const Loop loop{
-      x_min_, parameters_.x_max, start_slope_mm_, end_slope_mm_, kLimitFactor * end_depth_mm_};
+  const Loop loop{x_min_, parameters_.x_max, start_slope_mm_, end_slope_mm_,
+                  kLimitFactor * end_depth_mm_};
   if (parameters_.kind == MappingKind::kMoebius)
-    return moebius_depths(static_cast<float>(parameters_.a_mm),
-                          static_cast<float>(parameters_.b),
-                          loop,
-                          x,
-                          depth_mm,
-                          n);
+    return moebius_depths(static_cast<float>(parameters_.a_mm), static_cast<float>(parameters_.b),
+                          loop, x, depth_mm, n);
   switch (centred_powers_.size()) {
     case 4:
       return polynomial_depths_4(centred_powers_.data(), loop, x, depth_mm, n);

@@ -18,17 +18,14 @@ constexpr Limits kPositionMm{-10000, 10000};  // position of a ball, from the ca
 
 /// Reads the presses that `key` names, with their values from another key.
 template <class T>
-void read_pairs(YamlSection& top,
-                const char* key,
-                const char* values_key,
+void read_pairs(YamlSection& top, const char* key, const char* values_key,
                 const std::function<std::vector<T>()>& read_values,
                 const std::function<void(const std::string& press, const T& value)>& take) {
   if (!top.has(key)) return;
   const auto names = top.texts(key);
   const std::vector<T> values = read_values();
   if (values.size() != names.size())
-    top.refuse(values_key,
-               en::say("has {} entries for {} presses", values.size(), names.size()),
+    top.refuse(values_key, en::say("has {} entries for {} presses", values.size(), names.size()),
                en::say("one for each press, \"\" for none"));
   for (std::size_t i = 0; i < names.size(); ++i) take(names[i], values[i]);
 }
@@ -37,24 +34,20 @@ using Rows = std::vector<double>;
 
 GivenDepth depth_of(YamlSection& top, const Rows& row) {
   if (row.size() != 2)
-    top.refuse("depths_mm",
-               en::say("must hold two numbers for each press"),
+    top.refuse("depths_mm", en::say("must hold two numbers for each press"),
                en::say("a depth and its standard deviation in mm"));
   return {row[0], row[1]};
 }
 
 Eigen::Vector3d centre_of(YamlSection& top, const Rows& row) {
   if (row.size() != 3 || !(row[2] > 0))
-    top.refuse("balls_mm",
-               en::say("is not a ball centre in front of the camera"),
+    top.refuse("balls_mm", en::say("is not a ball centre in front of the camera"),
                en::say("x, y, z in mm"));
   return {row[0], row[1], row[2]};
 }
 
 /// Adds the presses that have this value, and the values; both as YAML.
-void add_pairs(const PressSet& presses,
-               const char* key,
-               const char* values_key,
+void add_pairs(const PressSet& presses, const char* key, const char* values_key,
                const std::function<std::optional<std::string>(const PressNote&)>& value,
                YamlBlock& block) {
   std::vector<std::string> names, values;
@@ -98,9 +91,8 @@ double PressSet::radius_of(const std::string& press) const {
 }
 
 bool PressSet::has_other_balls() const {
-  return std::any_of(notes.begin(), notes.end(), [](const auto& entry) {
-    return entry.second.ball_radius_mm.has_value();
-  });
+  return std::any_of(notes.begin(), notes.end(),
+                     [](const auto& entry) { return entry.second.ball_radius_mm.has_value(); });
 }
 
 PressSet PressSet::only(const std::set<std::string>& presses) const {
@@ -117,34 +109,20 @@ PressSet read_press_set(YamlSection& top, bool requires_radius) {
   if (top.has("operator")) presses_read.operator_name = top.text("operator");
   auto& notes = presses_read.notes;
   read_pairs<double>(
-      top,
-      "other_balls",
-      "other_balls_mm",
+      top, "other_balls", "other_balls_mm",
       [&] { return top.numbers("other_balls_mm", kRadiusMm); },
       [&](const auto& press, double mm) { notes[press].ball_radius_mm = mm; });
   read_pairs<Rows>(
-      top,
-      "depths",
-      "depths_mm",
-      [&] { return top.rows("depths_mm", kLengthMm); },
+      top, "depths", "depths_mm", [&] { return top.rows("depths_mm", kLengthMm); },
       [&](const auto& press, const Rows& row) { notes[press].depth = depth_of(top, row); });
   read_pairs<double>(
-      top,
-      "steps",
-      "steps_mm",
-      [&] { return top.numbers("steps_mm", kLengthMm); },
+      top, "steps", "steps_mm", [&] { return top.numbers("steps_mm", kLengthMm); },
       [&](const auto& press, double mm) { notes[press].step_mm = mm; });
   read_pairs<Rows>(
-      top,
-      "balls",
-      "balls_mm",
-      [&] { return top.rows("balls_mm", kPositionMm); },
+      top, "balls", "balls_mm", [&] { return top.rows("balls_mm", kPositionMm); },
       [&](const auto& press, const Rows& row) { notes[press].ball_mm = centre_of(top, row); });
   read_pairs<std::string>(
-      top,
-      "excluded",
-      "excluded_because",
-      [&] { return top.texts("excluded_because"); },
+      top, "excluded", "excluded_because", [&] { return top.texts("excluded_because"); },
       [&](const auto& press, const std::string& because) { notes[press].excluded = because; });
   return presses_read;
 }
@@ -159,9 +137,8 @@ void add_single_presses(const PressSet& presses, YamlBlock& block) {
     add_pairs(presses, key, values_key, value, block);
   };
   using Text = std::optional<std::string>;
-  add("other_balls", "other_balls_mm", [](const PressNote& note) {
-    return number_text(note.ball_radius_mm);
-  });
+  add("other_balls", "other_balls_mm",
+      [](const PressNote& note) { return number_text(note.ball_radius_mm); });
   add("depths", "depths_mm", [](const PressNote& note) {
     return note.depth ? Text(yaml_numbers({note.depth->mm, note.depth->sd_mm})) : Text();
   });

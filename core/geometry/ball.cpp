@@ -15,8 +15,7 @@ std::pair<Eigen::Vector3d, Eigen::Vector3d> across(const Eigen::Vector3d& axis) 
 
 }  // namespace
 
-std::optional<RayHit> intersect_ball(const Ray& ray,
-                                     const Eigen::Vector3d& centre_mm,
+std::optional<RayHit> intersect_ball(const Ray& ray, const Eigen::Vector3d& centre_mm,
                                      double radius_mm) {
   const Eigen::Vector3d& u = ray.direction;
   const Eigen::Vector3d c = centre_mm - ray.origin_mm;
@@ -45,10 +44,8 @@ double sine_between(const Eigen::Vector3d& p, const Eigen::Vector3d& c) {
   return (p - c).cross(c).norm() / (p.norm() * c.norm());
 }
 
-std::vector<Eigen::Vector3d> ball_horizon_mm(bool perspective,
-                                             const Eigen::Vector3d& centre_mm,
-                                             double radius_mm,
-                                             int count) {
+std::vector<Eigen::Vector3d> ball_horizon_mm(bool perspective, const Eigen::Vector3d& centre_mm,
+                                             double radius_mm, int count) {
   std::vector<Eigen::Vector3d> points;
   Eigen::Vector3d middle = centre_mm;
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
@@ -74,10 +71,8 @@ std::vector<Eigen::Vector3d> ball_horizon_mm(bool perspective,
 namespace {
 
 /// Distance by which the line of sight through a pixel misses the ball.
-std::optional<double> clearance_mm(const Camera& camera,
-                                   const Eigen::Vector2d& pixel,
-                                   const Eigen::Vector3d& centre_mm,
-                                   double radius_mm) {
+std::optional<double> clearance_mm(const Camera& camera, const Eigen::Vector2d& pixel,
+                                   const Eigen::Vector3d& centre_mm, double radius_mm) {
   const auto ray = camera.unproject(pixel);
   if (!ray) return std::nullopt;
   return (centre_mm - ray->origin_mm).cross(ray->direction).norm() / ray->direction.norm() -
@@ -87,10 +82,8 @@ std::optional<double> clearance_mm(const Camera& camera,
 /// Moves a pixel near the outline along the line through `middle` until its line of sight is
 /// tangent to the ball. Rays behind a window do not start in one point, so the horizon of any point
 /// only approximates the true one.
-Eigen::Vector2d grazing_pixel(const Camera& camera,
-                              const Eigen::Vector2d& middle,
-                              Eigen::Vector2d pixel,
-                              const Eigen::Vector3d& centre_mm,
+Eigen::Vector2d grazing_pixel(const Camera& camera, const Eigen::Vector2d& middle,
+                              Eigen::Vector2d pixel, const Eigen::Vector3d& centre_mm,
                               double radius_mm) {
   const Eigen::Vector2d outward = (pixel - middle).normalized();
   double step = 0.1;
@@ -107,10 +100,8 @@ Eigen::Vector2d grazing_pixel(const Camera& camera,
 
 }  // namespace
 
-std::vector<Eigen::Vector2d> ball_outline_px(const Camera& camera,
-                                             const Eigen::Vector3d& centre_mm,
-                                             double radius_mm,
-                                             int count) {
+std::vector<Eigen::Vector2d> ball_outline_px(const Camera& camera, const Eigen::Vector3d& centre_mm,
+                                             double radius_mm, int count) {
   std::vector<Eigen::Vector2d> outline;
   for (const Eigen::Vector3d& point :
        ball_horizon_mm(camera.is_perspective(), centre_mm, radius_mm, count))

@@ -22,8 +22,7 @@ struct RayHit {
 /// nullopt where the ray's line misses the ball. Stable up to grazing: the discriminant is (R -
 /// f)(R + f), f the distance from the centre to the line. No root is a difference of equal numbers.
 /// radius_mm > 0; the direction may have any length but 0.
-[[nodiscard]] std::optional<RayHit> intersect_ball(const Ray& ray,
-                                                   const Eigen::Vector3d& centre_mm,
+[[nodiscard]] std::optional<RayHit> intersect_ball(const Ray& ray, const Eigen::Vector3d& centre_mm,
                                                    double radius_mm);
 
 /// Angle between two directions in [0, pi], accurate also for nearly equal directions: atan2(|(p -
@@ -39,16 +38,14 @@ struct RayHit {
 /// camera is inside the ball.
 [[nodiscard]] std::vector<Eigen::Vector3d> ball_horizon_mm(bool perspective,
                                                            const Eigen::Vector3d& centre_mm,
-                                                           double radius_mm,
-                                                           int count);
+                                                           double radius_mm, int count);
 
 /// The exact outline of the ball in the image, for every camera model: the horizon's points
 /// projected. Behind a window, where rays do not start in one point, they are moved until their own
 /// rays are tangent to the ball. Points outside the camera's view are left out.
 [[nodiscard]] std::vector<Eigen::Vector2d> ball_outline_px(const Camera& camera,
                                                            const Eigen::Vector3d& centre_mm,
-                                                           double radius_mm,
-                                                           int count);
+                                                           double radius_mm, int count);
 
 /// The outline of a ball in normalised coordinates (x/z, y/z): an ellipse with its long axis
 /// through the origin. Its centre is not the image of the ball's centre.

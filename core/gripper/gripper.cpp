@@ -23,18 +23,14 @@ std::optional<Error> motor_problem(const GripperMotor& motor) {
   if (!is_position(motor.first_turns) || !is_position(motor.last_turns) ||
       !(motor.first_turns < motor.last_turns))
     return Error{en::say("must be two motor positions, the lower one first"),
-                 std::string("motor.range_turns"),
-                 en::say("for example [0.0, 12.5]")};
+                 std::string("motor.range_turns"), en::say("for example [0.0, 12.5]")};
   if (!(motor.sd_turns >= 0 && motor.sd_turns <= 1000))
-    return Error{en::say("must be from 0 to 1000"),
-                 std::string("motor.sd_turns"),
+    return Error{en::say("must be from 0 to 1000"), std::string("motor.sd_turns"),
                  en::say("the error of a motor position, with the screw's play")};
   return std::nullopt;
 }
 
-bool is_name(const std::string& text) {
-  return !text.empty() && text.size() <= 200;
-}
+bool is_name(const std::string& text) { return !text.empty() && text.size() <= 200; }
 
 }  // namespace
 
@@ -47,18 +43,15 @@ std::optional<Error> Gripper::finger_problem(std::size_t number) const {
   const GripperFinger& finger = fingers[number];
   const std::string key = fmt::format("fingers[{}]", number);
   if (!is_name(finger.name))
-    return Error{en::say("must be a text of 1 to 200 characters"),
-                 key + ".name",
+    return Error{en::say("must be a text of 1 to 200 characters"), key + ".name",
                  en::say("what is written on the finger")};
   if (finger.folder.empty() || finger.folder.find('\0') != std::string::npos)
-    return Error{en::say("must name the finger's folder"),
-                 key + ".folder",
+    return Error{en::say("must name the finger's folder"), key + ".folder",
                  en::say("its path from the folder of this file, for example ../left-07")};
   const auto linkage = Linkage::create(finger.linkage, motor.lead_mm);
   if (!linkage) {
     const std::string part = linkage.error().where.english();
-    return Error{linkage.error().what,
-                 part == "lead_mm" ? "motor." + part : key + "." + part,
+    return Error{linkage.error().what, part == "lead_mm" ? "motor." + part : key + "." + part,
                  linkage.error().advice};
   }
   const MotorReach reach = linkage->reach_around(0.5 * (motor.first_turns + motor.last_turns));
@@ -66,40 +59,33 @@ std::optional<Error> Gripper::finger_problem(std::size_t number) const {
        {std::pair(reach.first, motor.first_turns <= reach.first.motor_turns),
         std::pair(reach.last, motor.last_turns >= reach.last.motor_turns)})
     if (is_beyond)
-      return Error{
-          en::say("goes beyond what the finger {} can reach: at {:.6g} turns {}",
-                  printable(finger.name),
-                  end.motor_turns,
-                  to_message(end.kind)),
-          std::string("motor.range_turns"),
-          en::say(
-              "a range within {:.6g} to {:.6g}", reach.first.motor_turns, reach.last.motor_turns)};
+      return Error{en::say("goes beyond what the finger {} can reach: at {:.6g} turns {}",
+                           printable(finger.name), end.motor_turns, to_message(end.kind)),
+                   std::string("motor.range_turns"),
+                   en::say("a range within {:.6g} to {:.6g}", reach.first.motor_turns,
+                           reach.last.motor_turns)};
   if (finger.link_from_camera.has_value() == finger.known_at_turns.has_value())
-    return Error{en::say("must specify the camera's pose exactly once"),
-                 key + ".link_from_camera",
+    return Error{en::say("must specify the camera's pose exactly once"), key + ".link_from_camera",
                  en::say("this, or known_at_turns: the motor position at which gripper_from_camera "
                          "in the finger's own file holds")};
   if (finger.link_from_camera)
     return pose_problem(*finger.link_from_camera, key + ".link_from_camera");
   if (!(*finger.known_at_turns >= motor.first_turns && *finger.known_at_turns <= motor.last_turns))
     return Error{
-        en::say("must lie in the motor's range"),
-        key + ".known_at_turns",
+        en::say("must lie in the motor's range"), key + ".known_at_turns",
         en::say("a motor position from {:g} to {:g}", motor.first_turns, motor.last_turns)};
   return std::nullopt;
 }
 
 Status Gripper::validate() const {
   if (!is_name(name))
-    return Error{en::say("must be a text of 1 to 200 characters"),
-                 std::string("name"),
+    return Error{en::say("must be a text of 1 to 200 characters"), std::string("name"),
                  en::say("the name on the gripper")};
   if (auto problem = motor_problem(motor)) return *problem;
   for (std::size_t i = 0; i < fingers.size(); ++i)
     if (auto problem = finger_problem(i)) return *problem;
   if (fingers[0].name == fingers[1].name)
-    return Error{en::say("is also the name of the other finger"),
-                 std::string("fingers[1].name"),
+    return Error{en::say("is also the name of the other finger"), std::string("fingers[1].name"),
                  en::say("two names, for example left and right")};
   return {};
 }
@@ -131,21 +117,17 @@ Result<GripperPose> Gripper::pose_at(double motor_turns, std::optional<double> s
   if (!(motor_turns >= motor.first_turns - slack && motor_turns <= motor.last_turns + slack))
     return Error{
         en::say("the motor cannot stand at {:.6g} turns: its range is from {:.6g} to {:.6g}",
-                motor_turns,
-                motor.first_turns,
-                motor.last_turns),
-        name,
-        en::say("a motor position in that range, or correct range_turns")};
+                motor_turns, motor.first_turns, motor.last_turns),
+        name, en::say("a motor position in that range, or correct range_turns")};
   GripperPose pose{motor_turns, sd_turns.value_or(motor.sd_turns), {}};
   if (!(pose.sd_turns >= 0 && std::isfinite(pose.sd_turns)))
-    return Error{en::say("the standard deviation of a motor position must be 0 or above"),
-                 name,
+    return Error{en::say("the standard deviation of a motor position must be 0 or above"), name,
                  en::say("a number of turns")};
   for (std::size_t i = 0; i < fingers.size(); ++i) {
     const GripperFinger& finger = fingers[i];
     if (!finger.link_from_camera)
-      return Error{
-          en::say("the camera pose of finger {} is unknown", printable(finger.name)), name, ""};
+      return Error{en::say("the camera pose of finger {} is unknown", printable(finger.name)), name,
+                   ""};
     const auto linkage = Linkage::create(finger.linkage, motor.lead_mm);
     if (!linkage) return linkage.error();
     const auto angle = linkage->angle_at(motor_turns);
@@ -223,8 +205,7 @@ Result<Linkage> Linkage::create(const LinkageParameters& p, double lead_mm) {
     return at.allFinite() && at.cwiseAbs().maxCoeff() <= kMaxLength_mm;
   };
   if (!(std::abs(lead_mm) >= 1e-6 && std::abs(lead_mm) <= kMaxLength_mm))
-    return Error{en::say("must be a travel in mm, above or below 0"),
-                 std::string("lead_mm"),
+    return Error{en::say("must be a travel in mm, above or below 0"), std::string("lead_mm"),
                  en::say("how far the nut goes away from the palm in one turn, for example 2.0")};
   if (!is_point(p.pivot_mm))
     return Error{en::say("must be numbers from -{0:g} to {0:g}", kMaxLength_mm),
@@ -242,8 +223,7 @@ Result<Linkage> Linkage::create(const LinkageParameters& p, double lead_mm) {
   if (offset >= p.crank_mm + p.rod_mm)
     return Error{en::say("rod and crank never meet: together they reach {:g} mm, and the nut "
                          "passes the finger's axis at {:g} mm",
-                         p.crank_mm + p.rod_mm,
-                         offset),
+                         p.crank_mm + p.rod_mm, offset),
                  std::string("rod_mm"),
                  en::say("measure pivot_mm, nut_mm, crank_mm and rod_mm again")};
   return Linkage(p, lead_mm);
@@ -264,20 +244,15 @@ Result<LinkageAngle> Linkage::angle_at(double motor_turns) const {
     return Error{en::say("at {:.6g} turns the rod's joint lies on the finger's axis, so that the "
                          "finger may stand anywhere",
                          motor_turns),
-                 "",
-                 en::say("another motor position")};
+                 "", en::say("another motor position")};
   const auto half = half_angle(c, d, r);
   if (!half) {
     const MotorReach reach = reach_around(motor_turns);
     return Error{en::say("rod and crank do not meet at {:.6g} turns: they do from {:.6g} ({}) to "
                          "{:.6g} ({})",
-                         motor_turns,
-                         reach.first.motor_turns,
-                         to_message(reach.first.kind),
-                         reach.last.motor_turns,
-                         to_message(reach.last.kind)),
-                 "",
-                 en::say("a motor position between these")};
+                         motor_turns, reach.first.motor_turns, to_message(reach.first.kind),
+                         reach.last.motor_turns, to_message(reach.last.kind)),
+                 "", en::say("a motor position between these")};
   }
   const double side = p.assembly == AssemblyMode::kAhead ? 1.0 : -1.0;
   const double angle = std::atan2(x, z) + side * 2.0 * std::atan2(half->x(), half->y());
@@ -313,8 +288,8 @@ MotorReach Linkage::reach_around(double motor_turns) const {
     return std::max(
         {0.0, interval.first.motor_turns - motor_turns, motor_turns - interval.last.motor_turns});
   };
-  return *std::min_element(
-      all.begin(), all.end(), [&](const auto& a, const auto& b) { return away(a) < away(b); });
+  return *std::min_element(all.begin(), all.end(),
+                           [&](const auto& a, const auto& b) { return away(a) < away(b); });
 }
 
 std::vector<DeadPoint> Linkage::dead_points() const {
@@ -334,9 +309,8 @@ std::vector<DeadPoint> Linkage::dead_points() const {
       if (side * rod * h > 0) points.push_back({DeadPointKind::kAcross, turns_at_height(h)});
     }
   }
-  std::stable_sort(points.begin(), points.end(), [](const auto& a, const auto& b) {
-    return a.motor_turns < b.motor_turns;
-  });
+  std::stable_sort(points.begin(), points.end(),
+                   [](const auto& a, const auto& b) { return a.motor_turns < b.motor_turns; });
   return points;
 }
 
@@ -361,8 +335,7 @@ GripperMotor read_motor(YamlSection section) {
   motor.lead_mm = section.number("lead_mm", en::say("a travel in mm for each turn"));
   const std::vector<double> range = section.numbers("range_turns");
   if (range.size() != 2)
-    section.refuse("range_turns",
-                   en::say("must be two motor positions, the lower one first"),
+    section.refuse("range_turns", en::say("must be two motor positions, the lower one first"),
                    en::say("for example [0.0, 12.5]"));
   motor.first_turns = range[0], motor.last_turns = range[1];
   motor.sd_turns = section.number_or("sd_turns", 0.0, {0.0, 1000.0});
@@ -389,23 +362,20 @@ GripperFinger read_gripper_finger(YamlSection section) {
 Gripper read_gripper_file(YamlSection& top) {
   Gripper gripper;
   if (const std::string format = top.text("format"); format != Gripper::kFormat)
-    top.refuse("format",
-               en::say("'{}' cannot be read by this version", printable(format)),
+    top.refuse("format", en::say("'{}' cannot be read by this version", printable(format)),
                en::say("a newer version of this program, or '{}'", std::string(Gripper::kFormat)));
   gripper.name = top.text("name");
   gripper.motor = read_motor(top.section("motor"));
   const std::vector<YamlSection> fingers = top.sections("fingers");
   if (fingers.size() != gripper.fingers.size())
-    top.refuse("fingers",
-               en::say("must be two fingers, not {}", fingers.size()),
+    top.refuse("fingers", en::say("must be two fingers, not {}", fingers.size()),
                en::say("one block '- name: ...' for each"));
   for (std::size_t i = 0; i < fingers.size(); ++i)
     gripper.fingers[i] = read_gripper_finger(fingers[i]);
   return gripper;
 }
 
-std::string finger_block(const GripperFinger& finger,
-                         std::size_t number,
+std::string finger_block(const GripperFinger& finger, std::size_t number,
                          const UnknownKeys& unknown) {
   const std::string key = fmt::format("fingers[{}]", number);
   const LinkageParameters& linkage = finger.linkage;
@@ -439,8 +409,7 @@ std::string finger_block(const GripperFinger& finger,
 
 }  // namespace
 
-Result<Gripper> Gripper::parse(const std::string& yaml,
-                               const std::filesystem::path& origin,
+Result<Gripper> Gripper::parse(const std::string& yaml, const std::filesystem::path& origin,
                                std::vector<Message>* warnings) {
   YamlFile file(origin);
   Gripper gripper;

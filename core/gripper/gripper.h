@@ -181,8 +181,7 @@ class Gripper {
                               std::vector<Message>* warnings = nullptr);
 
   /// The file's content alone; `origin` names it in errors.
-  static Result<Gripper> parse(const std::string& yaml,
-                               const std::filesystem::path& origin,
+  static Result<Gripper> parse(const std::string& yaml, const std::filesystem::path& origin,
                                std::vector<Message>* warnings = nullptr);
 
   /// Computes link_from_camera of fingers with known_at_turns, and clears the latter. The fingers'

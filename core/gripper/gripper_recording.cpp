@@ -115,12 +115,10 @@ RecordedContacts contacts_of(const ReadJson& line) {
 
 /// The frame of the other recording, in order of time, that is nearest to a time.
 std::size_t nearest_in_time(const std::vector<RecordedContacts>& frames,
-                            const std::vector<std::size_t>& order,
-                            std::int64_t time_ns) {
+                            const std::vector<std::size_t>& order, std::int64_t time_ns) {
   const auto after =
-      std::lower_bound(order.begin(), order.end(), time_ns, [&](std::size_t i, std::int64_t time) {
-        return *frames[i].time_ns < time;
-      });
+      std::lower_bound(order.begin(), order.end(), time_ns,
+                       [&](std::size_t i, std::int64_t time) { return *frames[i].time_ns < time; });
   if (after == order.begin()) return order.front();
   if (after == order.end()) return order.back();
   const std::size_t before = *(after - 1);
@@ -138,8 +136,7 @@ std::vector<std::size_t> in_time(const std::vector<RecordedContacts>& frames) {
     return *frames[a].time_ns < *frames[b].time_ns;
   });
   // One frame for each time: a second one could not be the nearest to any other.
-  order.erase(std::unique(order.begin(),
-                          order.end(),
+  order.erase(std::unique(order.begin(), order.end(),
                           [&](std::size_t a, std::size_t b) {
                             return *frames[a].time_ns == *frames[b].time_ns;
                           }),
@@ -182,8 +179,7 @@ Result<std::vector<RecordedContacts>> parse_recorded_contacts(const std::string&
       if (json.is_discarded()) throw RefusedLine{en::say("is not JSON: {}", printable(line))};
       all.push_back(contacts_of(json));
     } catch (const RefusedLine& refused) {
-      return Error{refused.what,
-                   fmt::format("{}:{}", origin.string(), number),
+      return Error{refused.what, fmt::format("{}:{}", origin.string(), number),
                    en::say("results.jsonl as alltact reconstruct wrote it")};
     }
   }
@@ -197,8 +193,7 @@ Result<std::vector<RecordedContacts>> read_recorded_contacts(const std::filesyst
 }
 
 PairedFrames paired_frames(const std::vector<RecordedContacts>& first,
-                           const std::vector<RecordedContacts>& second,
-                           std::int64_t tolerance_ns) {
+                           const std::vector<RecordedContacts>& second, std::int64_t tolerance_ns) {
   const auto has_time = [](const RecordedContacts& frame) { return frame.time_ns.has_value(); };
   PairedFrames paired;
   paired.by_time = !first.empty() && !second.empty() &&
@@ -279,18 +274,16 @@ Result<MotorLog> MotorLog::parse(const std::string& content, const std::filesyst
     log.lines_.push_back(*read);
   }
   if (log.lines_.size() < 2)
-    return Error{en::say("holds fewer than two motor positions"),
-                 origin,
+    return Error{en::say("holds fewer than two motor positions"), origin,
                  en::say("a line for each time at which the motor was read")};
   return log;
 }
 
 std::optional<double> MotorLog::turns_at(std::int64_t time_ns) const {
   if (time_ns < lines_.front().first || time_ns > lines_.back().first) return std::nullopt;
-  const auto after = std::lower_bound(
-      lines_.begin(), lines_.end(), time_ns, [](const auto& line, std::int64_t time) {
-        return line.first < time;
-      });
+  const auto after =
+      std::lower_bound(lines_.begin(), lines_.end(), time_ns,
+                       [](const auto& line, std::int64_t time) { return line.first < time; });
   if (after->first == time_ns) return after->second;
   const auto& [time, turns] = *(after - 1);
   // In double, so that no difference overflows.

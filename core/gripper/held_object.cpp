@@ -35,11 +35,8 @@ double half_difference_deg(double more_deg, double less_deg) {
 }  // namespace
 
 ObservedContact observed_contact(const ContactRegion& region) {
-  return {region.position_mm,
-          region.position_covariance_mm2,
-          region.axis,
-          region.axis ? region.angle_sd_deg : std::nullopt,
-          region.normal};
+  return {region.position_mm, region.position_covariance_mm2, region.axis,
+          region.axis ? region.angle_sd_deg : std::nullopt, region.normal};
 }
 
 HeldWidth held_width(const GripperPose& pose, const std::array<ObservedContact, 2>& contacts) {
@@ -64,8 +61,7 @@ HeldWidth held_width(const GripperPose& pose, const std::array<ObservedContact, 
   return width;
 }
 
-std::optional<UprightTurn> upright_turn_deg(const GripperPose& pose,
-                                            std::size_t finger,
+std::optional<UprightTurn> upright_turn_deg(const GripperPose& pose, std::size_t finger,
                                             const ObservedContact& contact,
                                             const Eigen::Vector3d& up) {
   if (!contact.axis || !contact.axis_sd_deg || !contact.face_normal || !(up.norm() > 0))
@@ -132,17 +128,14 @@ struct GapHeight {
   int middle_u = 0;  ///< column of the nearest pixel
 };
 
-std::vector<GapPixel> pixels_around(const cv::Mat& points_mm,
-                                    const RigidTransform& camera_pose,
-                                    const Eigen::Vector3d& middle_mm,
-                                    double radius_mm) {
+std::vector<GapPixel> pixels_around(const cv::Mat& points_mm, const RigidTransform& camera_pose,
+                                    const Eigen::Vector3d& middle_mm, double radius_mm) {
   const Eigen::Vector3d seen = camera_pose.inverse().point(middle_mm);
   std::vector<GapPixel> pixels;
   for (int v = 0; v < points_mm.rows; ++v) {
     const auto* row = points_mm.ptr<cv::Vec3f>(v);
     for (int u = 0; u < points_mm.cols; ++u) {
-      const Eigen::Vector3d p(static_cast<double>(row[u][0]),
-                              static_cast<double>(row[u][1]),
+      const Eigen::Vector3d p(static_cast<double>(row[u][0]), static_cast<double>(row[u][1]),
                               static_cast<double>(row[u][2]));
       if ((p - seen).squaredNorm() <= radius_mm * radius_mm)
         pixels.push_back({camera_pose.point(p), u});
@@ -184,10 +177,8 @@ std::optional<GapHeight> quadric_height(const std::vector<GapPixel>& pixels,
 }
 
 /// Variance of the face's z error, projected on the gap.
-std::optional<double> sight_variance(const GapFace& face,
-                                     const RigidTransform& camera_pose,
-                                     const Eigen::Vector3d& at_mm,
-                                     const Eigen::Vector3d& gap,
+std::optional<double> sight_variance(const GapFace& face, const RigidTransform& camera_pose,
+                                     const Eigen::Vector3d& at_mm, const Eigen::Vector3d& gap,
                                      int u) {
   const auto z_sd = face.z_sd_mm ? face.z_sd_mm(u) : std::nullopt;
   const Eigen::Vector3d seen = camera_pose.inverse().point(at_mm);
@@ -232,9 +223,7 @@ std::optional<FaceGap> face_gap(const GripperPose& pose, const std::array<GapFac
     for (double radius = kRadius_mm; !height && radius <= kMaxRadius_mm; radius *= 2)
       height =
           quadric_height(pixels_around(faces[i].points_mm, finger.gripper_from_camera, at, radius),
-                         at,
-                         frame,
-                         faces[i].correlated_px2);
+                         at, frame, faces[i].correlated_px2);
     if (!height) return std::nullopt;
     at += height->mm * gap;
     const double side = i == 0 ? -1.0 : 1.0;

@@ -68,8 +68,7 @@ MapColour depth_colour(double part) {
 }
 
 ColourScale depth_scale(double top_mm) {
-  return {-kBulgeFraction * top_mm,
-          top_mm,
+  return {-kBulgeFraction * top_mm, top_mm,
           [](double part) { return depth_colour((1 + kBulgeFraction) * part - kBulgeFraction); },
           5};
 }

@@ -38,8 +38,8 @@ Message name_of(std::string_view name) {
 }  // namespace
 
 void add_setting(std::string& settings, std::string_view name, std::string_view value) {
-  settings += fmt::format(
-      "{}{}={}", settings.empty() ? "" : kBetween, without(name, ";="), without(value, ";"));
+  settings += fmt::format("{}{}={}", settings.empty() ? "" : kBetween, without(name, ";="),
+                          without(value, ";"));
 }
 
 Message differences(std::string_view before, std::string_view now) {
@@ -48,8 +48,8 @@ Message differences(std::string_view before, std::string_view now) {
   for (const auto& [name, value] : entries_of(now)) {
     const auto old = earlier.find(name);
     if (old == earlier.end() || old->second == value) continue;
-    changes.push_back(en::say(
-        "{} changed from {} to {}", name_of(name), std::string(old->second), std::string(value)));
+    changes.push_back(en::say("{} changed from {} to {}", name_of(name), std::string(old->second),
+                              std::string(value)));
   }
   return en::list(changes);
 }

@@ -53,17 +53,14 @@ void take_alternate_bytes(const std::uint8_t* from, std::uint8_t* to, int count)
 
 Error damaged_packet(Message what) {
   return {
-      std::move(what),
-      "",
+      std::move(what), "",
       en::say(
           "a shorter USB cable or another port; if it persists, another format or a lower rate")};
 }
 
 }  // namespace
 
-Result<cv::Mat> GreyDecoder::operator()(PixelFormat format,
-                                        int width_px,
-                                        int height_px,
+Result<cv::Mat> GreyDecoder::operator()(PixelFormat format, int width_px, int height_px,
                                         std::size_t stride_bytes,
                                         std::span<const std::uint8_t> bytes) {
   if (format == PixelFormat::kMjpeg) return decode_jpeg(width_px, height_px, bytes);
@@ -88,8 +85,7 @@ Result<cv::Mat> GreyDecoder::operator()(PixelFormat format,
   return grey;
 }
 
-Result<cv::Mat> GreyDecoder::decode_jpeg(int width_px,
-                                         int height_px,
+Result<cv::Mat> GreyDecoder::decode_jpeg(int width_px, int height_px,
                                          std::span<const std::uint8_t> bytes) {
   auto image = complete_jpeg(width_px, height_px, bytes);
   // A decoder that stopped halfway has a remaining state: the next image gets a new one.
@@ -97,28 +93,20 @@ Result<cv::Mat> GreyDecoder::decode_jpeg(int width_px,
   return image;
 }
 
-Result<cv::Mat> GreyDecoder::complete_jpeg(int width_px,
-                                           int height_px,
+Result<cv::Mat> GreyDecoder::complete_jpeg(int width_px, int height_px,
                                            std::span<const std::uint8_t> bytes) {
   const auto size = static_cast<unsigned long>(bytes.size());  // NOLINT: TurboJPEG's type
   int width = 0, height = 0, sampling = 0, colours = 0;
-  if (jpeg_->handle == nullptr ||
-      tjDecompressHeader3(
-          jpeg_->handle, bytes.data(), size, &width, &height, &sampling, &colours) != 0)
+  if (jpeg_->handle == nullptr || tjDecompressHeader3(jpeg_->handle, bytes.data(), size, &width,
+                                                      &height, &sampling, &colours) != 0)
     return damaged_packet(en::say("a frame arrived that is no JPEG"));
   if (width != width_px || height != height_px)
     return damaged_packet(
         en::say("a {}x{} frame arrived instead of {}x{}", width, height, width_px, height_px));
   cv::Mat grey(height, width, CV_8UC1);
-  const int status = tjDecompress2(jpeg_->handle,
-                                   bytes.data(),
-                                   size,
-                                   grey.data,
-                                   width,
-                                   static_cast<int>(grey.step),
-                                   height,
-                                   TJPF_GRAY,
-                                   TJFLAG_STOPONWARNING);
+  const int status =
+      tjDecompress2(jpeg_->handle, bytes.data(), size, grey.data, width,
+                    static_cast<int>(grey.step), height, TJPF_GRAY, TJFLAG_STOPONWARNING);
   if (status != 0) {
     // The first complaint stops the decoder. This one comes after the last row: the image is
     // complete, with a few stray bytes between it and its end mark.

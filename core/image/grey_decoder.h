@@ -36,19 +36,15 @@ class GreyDecoder {
   /// kMjpeg. The image owns its bytes. JPEGs are decoded to grey only, also coloured ones. Errors:
   /// fewer bytes than the image needs; a JPEG that is truncated, damaged, or of another size. Bytes
   /// behind the end of a complete JPEG are no fault: many cameras send some.
-  [[nodiscard]] Result<cv::Mat> operator()(PixelFormat format,
-                                           int width_px,
-                                           int height_px,
+  [[nodiscard]] Result<cv::Mat> operator()(PixelFormat format, int width_px, int height_px,
                                            std::size_t stride_bytes,
                                            std::span<const std::uint8_t> bytes);
 
  private:
   struct Jpeg;
-  [[nodiscard]] Result<cv::Mat> decode_jpeg(int width_px,
-                                            int height_px,
+  [[nodiscard]] Result<cv::Mat> decode_jpeg(int width_px, int height_px,
                                             std::span<const std::uint8_t> bytes);
-  [[nodiscard]] Result<cv::Mat> complete_jpeg(int width_px,
-                                              int height_px,
+  [[nodiscard]] Result<cv::Mat> complete_jpeg(int width_px, int height_px,
                                               std::span<const std::uint8_t> bytes);
   std::unique_ptr<Jpeg> jpeg_;
 };

@@ -37,12 +37,9 @@ Result<Encoded> read_encoded(const std::filesystem::path& file) {
   if (!header) return at(file, header.error());
   const auto [width, height] = std::pair(header->width_px, header->height_px);
   if (width < 1 || height < 1 || width > kMaxSidePx || height > kMaxSidePx)
-    return Error{en::say("the image header gives {} x {} px; a side must have 1 to {}",
-                         width,
-                         height,
-                         kMaxSidePx),
-                 file.string(),
-                 en::say("a smaller image, or copy it again if that size is wrong")};
+    return Error{en::say("the image header gives {} x {} px; a side must have 1 to {}", width,
+                         height, kMaxSidePx),
+                 file.string(), en::say("a smaller image, or copy it again if that size is wrong")};
   return Encoded{std::move(*content), *header};
 }
 
@@ -50,9 +47,7 @@ Result<Encoded> read_encoded(const std::filesystem::path& file) {
 cv::Mat decode(const Encoded& encoded) {
   try {
     // Unchanged: the camera's pixels, also where a tag requests a rotation.
-    return cv::imdecode(cv::Mat(1,
-                                static_cast<int>(encoded.content.size()),
-                                CV_8UC1,
+    return cv::imdecode(cv::Mat(1, static_cast<int>(encoded.content.size()), CV_8UC1,
                                 const_cast<char*>(encoded.content.data())),
                         cv::IMREAD_UNCHANGED);
   } catch (const cv::Exception&) {
@@ -61,8 +56,7 @@ cv::Mat decode(const Encoded& encoded) {
 }
 
 Error not_decodable(const std::filesystem::path& file) {
-  return {en::say("the image is damaged or truncated"),
-          file.string(),
+  return {en::say("the image is damaged or truncated"), file.string(),
           en::say("copy or record it again")};
 }
 
@@ -72,15 +66,12 @@ std::optional<Error> unfit_for_grey(const ImageHeader& header) {
                      ? en::say("the image has {} bits per channel (floating point); 8 are needed",
                                header.bits)
                      : en::say("the image has {} bits per channel; 8 are needed", header.bits),
-                 "",
-                 en::say("the camera's 8-bit images")};
+                 "", en::say("the camera's 8-bit images")};
   if (header.has_transparency)
-    return Error{en::say("the image has transparent parts; a camera image has none"),
-                 "",
+    return Error{en::say("the image has transparent parts; a camera image has none"), "",
                  en::say("the image as the camera took it, without an alpha channel")};
   if (header.channels != 1 && header.channels != 3)
-    return Error{en::say("the image has {} channels; 1 or 3 are needed", header.channels),
-                 "",
+    return Error{en::say("the image has {} channels; 1 or 3 are needed", header.channels), "",
                  en::say("the image as the camera took it")};
   return std::nullopt;
 }
@@ -97,9 +88,8 @@ double colourfulness(const cv::Mat& bgr, const cv::Mat& grey) {
 
 Result<std::vector<unsigned char>> encode(const std::filesystem::path& file, const cv::Mat& image) {
   std::string ending = file.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) {
-    return static_cast<char>(std::tolower(c));
-  });
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   const int type = image.type();
   const bool is_png = ending == ".png" && (type == CV_8UC1 || type == CV_8UC3);
   const bool is_tiff =
@@ -107,8 +97,7 @@ Result<std::vector<unsigned char>> encode(const std::filesystem::path& file, con
   if (image.empty() || !(is_png || is_tiff)) {
     const Message kind = image.empty() ? en::say("empty") : Message::typed(cv::typeToString(type));
     return Error{en::say("cannot write this kind of image ({}) under that name", kind),
-                 file.string(),
-                 en::say("'.png' for 8-bit images, '.tiff' for floating point")};
+                 file.string(), en::say("'.png' for 8-bit images, '.tiff' for floating point")};
   }
   const std::vector<int> options = is_png ? std::vector<int>{cv::IMWRITE_PNG_COMPRESSION, 3}
                                           : std::vector<int>{cv::IMWRITE_TIFF_COMPRESSION, 1};
@@ -133,23 +122,20 @@ Result<cv::Mat> read_grey_image(const std::filesystem::path& file, std::string* 
   if (image.type() != CV_8UC1 && image.type() != CV_8UC3)
     return Error{en::say("this kind of image cannot be used ({})",
                          std::string(cv::typeToString(image.type()))),
-                 file.string(),
-                 en::say("8-bit grey images")};
+                 file.string(), en::say("8-bit grey images")};
   if (image.channels() == 3) {
     cv::Mat grey;
     cv::cvtColor(image, grey, cv::COLOR_BGR2GRAY);
     if (const double colour = colourfulness(image, grey); colour > kMaxColour)
       return Error{en::say("the image is in colour: its channels differ from grey by {:.0f} %",
                            100 * colour),
-                   file.string(),
-                   en::say("an image of the finger under white light")};
+                   file.string(), en::say("an image of the finger under white light")};
     image = grey;
   }
   double brightest = 0;
   cv::minMaxLoc(image, nullptr, &brightest);
   if (brightest <= kBlack)
-    return Error{en::say("the image is all black"),
-                 file.string(),
+    return Error{en::say("the image is all black"), file.string(),
                  en::say("switch on the light, or take off the lens cap")};
   if (note != nullptr) *note = note_of(encoded->content);
   return image;
@@ -171,8 +157,7 @@ Result<cv::Mat> read_float_image(const std::filesystem::path& file) {
   if (header.format != ImageFormat::kTiff || !header.is_float || header.bits != 32 ||
       (header.channels != 1 && header.channels != 3))
     return Error{en::say("the image is no 32-bit floating-point TIFF with 1 or 3 channels"),
-                 file.string(),
-                 en::say("a depth or points image written by this program")};
+                 file.string(), en::say("a depth or points image written by this program")};
   cv::Mat image = decode(*encoded);
   if (image.empty()) return not_decodable(file);
   if (image.type() != CV_32FC1 && image.type() != CV_32FC3) return not_decodable(file);
@@ -405,8 +390,7 @@ Result<ImageHeader> image_header(std::string_view content) {
   if (content.starts_with("BM")) return bmp_header(content);
   if (content.starts_with("P5") || content.starts_with("P6")) return pgm_header(content);
   if (content.starts_with("II*\0"sv) || content.starts_with("MM\0*"sv)) return tiff_header(content);
-  return Error{en::say("the file is not an image of a known kind"),
-               "",
+  return Error{en::say("the file is not an image of a known kind"), "",
                en::say("PNG, JPEG, BMP, binary PGM or TIFF")};
 }
 
@@ -483,8 +467,8 @@ std::string deflated(const std::vector<std::uint8_t>& bytes) {
       libdeflate_alloc_compressor(kQuickest));
   if (!compressor) throw std::bad_alloc();
   std::string out(libdeflate_zlib_compress_bound(compressor.get(), bytes.size()), '\0');
-  out.resize(libdeflate_zlib_compress(
-      compressor.get(), bytes.data(), bytes.size(), out.data(), out.size()));
+  out.resize(libdeflate_zlib_compress(compressor.get(), bytes.data(), bytes.size(), out.data(),
+                                      out.size()));
   assert(!out.empty());
   return out;
 }
@@ -660,8 +644,7 @@ Result<cv::Mat> read_depth_png(const std::filesystem::path& file) {
       header->has_transparency || header->width_px < 1 || header->height_px < 1 ||
       header->width_px > kMaxSide_px || header->height_px > kMaxSide_px ||
       text_of_png(*content, kDepthKeyword) != kDepthSentence)
-    return Error{en::say("the image is not marked as depth in 16 bits"),
-                 file.string(),
+    return Error{en::say("the image is not marked as depth in 16 bits"), file.string(),
                  en::say("an image from alltact reconstruct --format depth16")};
   cv::Mat steps;
   try {
@@ -672,8 +655,7 @@ Result<cv::Mat> read_depth_png(const std::filesystem::path& file) {
     // Handled like an empty result.
   }
   if (steps.empty() || steps.type() != CV_16UC1)
-    return Error{en::say("the image is damaged or truncated"),
-                 file.string(),
+    return Error{en::say("the image is damaged or truncated"), file.string(),
                  en::say("copy or record it again")};
   return depth_of_steps(steps);
 }

@@ -25,8 +25,7 @@ namespace alltact {
 /// channels have their order with OpenCV and read_float_image(); in the file OpenCV writes the
 /// last one first, so that readers of red, green, blue get them reversed. `note`: text to store in
 /// the file; PNG only.
-[[nodiscard]] Status write_image(const std::filesystem::path& file,
-                                 const cv::Mat& image,
+[[nodiscard]] Status write_image(const std::filesystem::path& file, const cv::Mat& image,
                                  std::string_view note = {});
 
 /// Reads a float TIFF written by write_image (CV_32FC1 or CV_32FC3).
@@ -80,8 +79,7 @@ inline constexpr std::string_view kDepthSentence = "depth_mm = 0.001 * (value - 
 
 /// A PNG file of CV_8UC1 or CV_16UC1. `keyword` and `text` (Latin-1) are stored as a tEXt chunk
 /// (PNG, third edition, 11.3.3.2) unless the text is empty.
-[[nodiscard]] std::string grey_png(const cv::Mat& grey,
-                                   std::string_view keyword = {},
+[[nodiscard]] std::string grey_png(const cv::Mat& grey, std::string_view keyword = {},
                                    std::string_view text = {});
 /// The PNG of depth_steps(), with kDepthSentence as text.
 [[nodiscard]] std::string depth_png(const cv::Mat& depth_mm);

@@ -29,9 +29,7 @@ std::int64_t monotonic_ns() {
       .count();
 }
 
-double monotonic_s() {
-  return 1e-9 * static_cast<double>(monotonic_ns());
-}
+double monotonic_s() { return 1e-9 * static_cast<double>(monotonic_ns()); }
 
 // One source from opening to its end. The thread shares it, so that it may outlive the runner.
 struct SourceRunner::Run {
@@ -214,8 +212,7 @@ struct SourceRunner::Run {
     if (is_stop_requested) finish_recorder(self, "stopped by hand");
   }
 
-  void start_recorder(const std::filesystem::path& file,
-                      const RecorderSettings& settings,
+  void start_recorder(const std::filesystem::path& file, const RecorderSettings& settings,
                       const Source& source) {
     auto started = Recorder::start(file, settings, source.frames_per_s(), inputs.front().string());
     const std::lock_guard lock(mutex);
@@ -329,9 +326,7 @@ void SourceRunner::stop_recording() {
   if (run_) run_->is_stop_requested = true;
 }
 
-int SourceRunner::unfinished_recordings() {
-  return unfinished;
-}
+int SourceRunner::unfinished_recordings() { return unfinished; }
 
 SourceStatus SourceRunner::status() const {
   const std::lock_guard lock(mutex_);

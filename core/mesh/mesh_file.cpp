@@ -17,8 +17,8 @@ constexpr std::size_t kMaxTriangles = 4'000'000;
 
 std::string lower_extension(const std::filesystem::path& file) {
   std::string text = file.extension().string();
-  std::transform(
-      text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
   return text;
 }
 
@@ -105,8 +105,7 @@ Status check_closed(const TriangleMesh& mesh) {
     if (end - i != 2) ++open;
   }
   if (open == 0) return {};
-  return Error{en::say("the mesh has holes: {} edges do not border two triangles", open),
-               "",
+  return Error{en::say("the mesh has holes: {} edges do not border two triangles", open), "",
                en::say("close it in the program that made it")};
 }
 

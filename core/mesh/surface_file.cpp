@@ -36,8 +36,7 @@ std::string ply(const Triangles& mesh) {
       "element vertex {}\nproperty float x\nproperty float y\nproperty float z\n"
       "property float depth_mm\nelement face {}\nproperty list uchar int "
       "vertex_indices\nend_header\n",
-      mesh.points_mm.size(),
-      mesh.corners.size());
+      mesh.points_mm.size(), mesh.corners.size());
   for (std::size_t i = 0; i < mesh.points_mm.size(); ++i) {
     append(content, mesh.points_mm[i]);
     append(content, mesh.depth_mm[i]);
@@ -68,10 +67,7 @@ std::string vtp(const Triangles& mesh) {
     return fmt::format(
         "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"appended\" "
         "offset=\"{}\"/>\n",
-        type,
-        name,
-        components,
-        at);
+        type, name, components, at);
   };
   return fmt::format(
              "<?xml version=\"1.0\"?>\n"
@@ -82,11 +78,8 @@ std::string vtp(const Triangles& mesh) {
              "NumberOfStrips=\"0\" NumberOfPolys=\"{}\">\n"
              "<PointData Scalars=\"depth_mm\">\n{}</PointData>\n<Points>\n{}</Points>\n"
              "<Polys>\n{}{}</Polys>\n</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_",
-             mesh.points_mm.size(),
-             mesh.corners.size(),
-             array("Float32", "depth_mm", 1, depth),
-             array("Float32", "points_mm", 3, points),
-             array("Int32", "connectivity", 1, corners),
+             mesh.points_mm.size(), mesh.corners.size(), array("Float32", "depth_mm", 1, depth),
+             array("Float32", "points_mm", 3, points), array("Int32", "connectivity", 1, corners),
              array("Int32", "offsets", 1, offsets)) +
          data + "\n</AppendedData>\n</VTKFile>\n";
 }
@@ -200,15 +193,13 @@ std::string glb(const Triangles& mesh) {
 
 }  // namespace
 
-Status write_surface(const std::filesystem::path& file,
-                     const cv::Mat& points_mm,
+Status write_surface(const std::filesystem::path& file, const cv::Mat& points_mm,
                      const cv::Mat& depth_mm) {
   static const std::map<std::string, std::string (*)(const Triangles&)> kWriters{
       {".ply", &ply}, {".vtp", &vtp}, {".stl", &stl}, {".glb", &glb}};
   const auto writer = kWriters.find(file.extension().string());
   if (writer == kWriters.end())
-    return Error{en::say("no surface can be written under such a name"),
-                 file.string(),
+    return Error{en::say("no surface can be written under such a name"), file.string(),
                  en::say("a name that ends in .ply, .vtp, .stl or .glb")};
   const Triangles mesh = triangles_of(points_mm, depth_mm);
   if (mesh.points_mm.empty())

@@ -23,8 +23,7 @@ namespace alltact {
 ///         least), which the mesh's extras contain; depth is the attribute _DEPTH_MM
 ///   points_mm: CV_32FC3; depth_mm: CV_32FC1 of the same size.
 /// Errors: those of write_file_atomically; no finite point; another extension.
-[[nodiscard]] Status write_surface(const std::filesystem::path& file,
-                                   const cv::Mat& points_mm,
+[[nodiscard]] Status write_surface(const std::filesystem::path& file, const cv::Mat& points_mm,
                                    const cv::Mat& depth_mm);
 
 // A grid of points as triangles.

@@ -15,8 +15,8 @@ namespace {
 constexpr int kBlock = 64;  // values that stay in the cache through the recurrence
 
 /// Clenshaw's recurrence for a block of positions, one coefficient at a time.
-ALLTACT_WIDE void clenshaw_block(
-    const double* c, int count, double first, double step, int offset, double* values) {
+ALLTACT_WIDE void clenshaw_block(const double* c, int count, double first, double step, int offset,
+                                 double* values) {
   std::array<double, kBlock> t, next, after;
   for (int i = 0; i < kBlock; ++i) {
     t[static_cast<std::size_t>(i)] = first + static_cast<double>(offset + i) * step;
@@ -40,8 +40,8 @@ void chebyshev_values(const Eigen::VectorXd& c, double first, double step, int n
   std::array<double, kBlock> block;
   for (int offset = 0; offset < n; offset += kBlock) {
     const int used = std::min(kBlock, n - offset);
-    clenshaw_block(
-        c.data(), count, first, step, offset, used == kBlock ? values + offset : block.data());
+    clenshaw_block(c.data(), count, first, step, offset,
+                   used == kBlock ? values + offset : block.data());
     if (used < kBlock) std::copy_n(block.begin(), used, values + offset);
   }
 }
@@ -62,12 +62,9 @@ double spread(const Eigen::VectorXd& residuals, std::vector<double>& sizes) {
 }
 
 /// sums += weight * values, for each point in turn: `values` holds `count` of them for each.
-ALLTACT_WIDE void add_weighted(const double* __restrict weights,
-                               std::ptrdiff_t points,
-                               const double* __restrict values,
-                               std::ptrdiff_t stride,
-                               std::ptrdiff_t count,
-                               double* __restrict sums) {
+ALLTACT_WIDE void add_weighted(const double* __restrict weights, std::ptrdiff_t points,
+                               const double* __restrict values, std::ptrdiff_t stride,
+                               std::ptrdiff_t count, double* __restrict sums) {
   for (std::ptrdiff_t i = 0; i < points; ++i)
     for (std::ptrdiff_t k = 0; k < count; ++k) sums[k] += weights[i] * values[i * stride + k];
 }
@@ -94,11 +91,7 @@ class ChebyshevTable {
   /// sums over the points of weight T_i T_j.
   [[nodiscard]] Eigen::MatrixXd information(const Eigen::VectorXd& weights) const {
     Eigen::VectorXd sums = Eigen::VectorXd::Zero(values_.rows());
-    add_weighted(weights.data(),
-                 weights.size(),
-                 values_.data(),
-                 values_.rows(),
-                 values_.rows(),
+    add_weighted(weights.data(), weights.size(), values_.data(), values_.rows(), values_.rows(),
                  sums.data());
     Eigen::MatrixXd all(n_, n_);
     for (Eigen::Index i = 0; i < n_; ++i)
@@ -117,9 +110,7 @@ class ChebyshevTable {
   Eigen::MatrixXd values_;  // a column for each point
 };
 
-double cauchy_weight(double r) {
-  return 1.0 / (1.0 + r * r);
-}
+double cauchy_weight(double r) { return 1.0 / (1.0 + r * r); }
 
 double tukey_weight(double r) {
   const double z = r / kTukey;
@@ -153,8 +144,7 @@ double RobustPolynomial::sd(double x) const {
 std::optional<RobustPolynomial> fit_robust_polynomial(const std::vector<double>& x,
                                                       const std::vector<double>& y,
                                                       const std::vector<double>& sd,
-                                                      const std::vector<char>& valid,
-                                                      int degree) {
+                                                      const std::vector<char>& valid, int degree) {
   const Eigen::Index n = degree + 1;
   std::vector<std::size_t> points;
   for (std::size_t i = 0; i < x.size(); ++i)

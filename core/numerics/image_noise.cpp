@@ -14,8 +14,7 @@ namespace {
 constexpr int kLargest = 64;  // of the second differences that count
 
 /// Second differences along a row, without its ends; kLargest + 1 where they do not count.
-ALLTACT_WIDE void second_differences(const std::uint8_t* __restrict pixels,
-                                     int count,
+ALLTACT_WIDE void second_differences(const std::uint8_t* __restrict pixels, int count,
                                      std::uint8_t* __restrict differences) {
   constexpr int kFloor = 6, kCeiling = 250;
   for (int i = 0; i < count; ++i) {

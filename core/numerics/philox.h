@@ -22,10 +22,8 @@ inline constexpr int kPhiloxRounds = 10;
   for (int round = 0; round < kPhiloxRounds; ++round) {
     const std::uint64_t p0 = std::uint64_t{kPhiloxMultiplier0} * c[0];
     const std::uint64_t p1 = std::uint64_t{kPhiloxMultiplier1} * c[2];
-    c = {static_cast<std::uint32_t>(p1 >> 32) ^ c[1] ^ key[0],
-         static_cast<std::uint32_t>(p1),
-         static_cast<std::uint32_t>(p0 >> 32) ^ c[3] ^ key[1],
-         static_cast<std::uint32_t>(p0)};
+    c = {static_cast<std::uint32_t>(p1 >> 32) ^ c[1] ^ key[0], static_cast<std::uint32_t>(p1),
+         static_cast<std::uint32_t>(p0 >> 32) ^ c[3] ^ key[1], static_cast<std::uint32_t>(p0)};
     key = {key[0] + kPhiloxWeyl0, key[1] + kPhiloxWeyl1};
   }
   return c;
@@ -45,10 +43,8 @@ inline constexpr int kPhiloxRounds = 10;
 }
 
 /// One number in (0, 1) for (seed, stream, frame, index).
-[[nodiscard]] constexpr double philox_uniform(std::uint64_t seed,
-                                              std::string_view stream,
-                                              std::uint32_t frame,
-                                              std::uint32_t index) {
+[[nodiscard]] constexpr double philox_uniform(std::uint64_t seed, std::string_view stream,
+                                              std::uint32_t frame, std::uint32_t index) {
   const PhiloxCounter bits = philox({index, 0, frame, static_cast<std::uint32_t>(seed >> 32)},
                                     {static_cast<std::uint32_t>(seed), fnv1a(stream)});
   return unit_interval(bits[0], bits[1]);

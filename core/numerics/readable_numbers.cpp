@@ -9,8 +9,8 @@ std::string value_and_sd(double value, double sd, int decimals) {
     case SdKind::kNumber:
       return fmt::format("{:.{}f} +- {:.{}f}", value, decimals, sd, decimals);
     case SdKind::kUnder:
-      return fmt::format(
-          "{:.{}f} +- under {:.{}f}", value, decimals, std::pow(10, -decimals), decimals);
+      return fmt::format("{:.{}f} +- under {:.{}f}", value, decimals, std::pow(10, -decimals),
+                         decimals);
     case SdKind::kUnknown:
       break;
   }

@@ -60,8 +60,7 @@ Result<std::unique_ptr<Source>> open_images(const std::vector<fs::path>& inputs)
       files.push_back(input);
     } else if (is_video(input) || is_scene(input)) {
       const Message kind = is_video(input) ? en::say("video") : en::say("scene");
-      return Error{en::say("a {} cannot be mixed with other inputs", kind),
-                   input.string(),
+      return Error{en::say("a {} cannot be mixed with other inputs", kind), input.string(),
                    en::say("it alone, or images only")};
     } else {
       return not_an_input(input);
@@ -82,14 +81,12 @@ Result<std::unique_ptr<Source>> open_source(const std::vector<fs::path>& inputs,
   if (inputs.size() == 1 && may_name_camera(inputs.front()))
     return open_camera_source(inputs.front());
   if (inputs.empty())
-    return Error{en::say("no input was given"),
-                 "",
+    return Error{en::say("no input was given"), "",
                  en::say("specify an image, a folder of images, a video, a scene or a camera")};
   for (const fs::path& input : inputs) {
     std::error_code ignored;
     if (!fs::exists(input, ignored))
-      return Error{en::say("there is no such file or folder"),
-                   input.string(),
+      return Error{en::say("there is no such file or folder"), input.string(),
                    en::say("check the path for typing errors")};
   }
   std::error_code ignored;

@@ -13,19 +13,15 @@ namespace {
 constexpr int kDepthSlices = 4;              // which a reader may decode in parallel
 constexpr int kSmallestSlicedDepth_px = 32;  // smaller frames cannot be cut into slices
 
-Message compressing_depth() {
-  return en::say("could not compress the depth");
-}
+Message compressing_depth() { return en::say("could not compress the depth"); }
 
 Error not_depth(const std::filesystem::path& file) {
-  return {en::say("the video is not marked as depth"),
-          file.string(),
+  return {en::say("the video is not marked as depth"), file.string(),
           en::say("a video from alltact reconstruct --format depth-video")};
 }
 
 Error damaged_depth(const std::filesystem::path& file) {
-  return {en::say("the video of depth is damaged or cut short"),
-          file.string(),
+  return {en::say("the video of depth is damaged or cut short"), file.string(),
           en::say("reconstruct the recording again")};
 }
 
@@ -62,8 +58,7 @@ Result<DepthPackets> DepthPackets::create(cv::Size size) {
   quiet_libav();
   const AVCodec* found = avcodec_find_encoder(AV_CODEC_ID_FFV1);
   if (found == nullptr)
-    return Error{en::say("this system's libavcodec cannot write FFV1"),
-                 "",
+    return Error{en::say("this system's libavcodec cannot write FFV1"), "",
                  en::say("Debian's libavcodec, or depth as single images")};
   auto state = std::make_unique<State>();
   state->context.reset(avcodec_alloc_context3(found));
@@ -107,15 +102,14 @@ DepthVideoWriter::DepthVideoWriter(DepthVideoWriter&&) noexcept = default;
 DepthVideoWriter& DepthVideoWriter::operator=(DepthVideoWriter&&) noexcept = default;
 DepthVideoWriter::~DepthVideoWriter() = default;
 
-Result<DepthVideoWriter> DepthVideoWriter::create(const std::filesystem::path& file,
-                                                  cv::Size size,
+Result<DepthVideoWriter> DepthVideoWriter::create(const std::filesystem::path& file, cv::Size size,
                                                   double frames_per_s) {
   const auto packets = DepthPackets::create(size);
   if (!packets) return packets.error();
   const AvPtr<AVCodecParameters> parameters(avcodec_parameters_alloc());
   avcodec_parameters_from_context(parameters.get(), packets->state_->context.get());
-  auto output = MatroskaFile::create(
-      file, *parameters, frames_per_s, {kDepthVideoTag, std::string(kDepthSentence)});
+  auto output = MatroskaFile::create(file, *parameters, frames_per_s,
+                                     {kDepthVideoTag, std::string(kDepthSentence)});
   if (!output) return output.error();
   return DepthVideoWriter(
       std::unique_ptr<State>(new State{std::move(*output), 1000 / frames_per_s}));
@@ -132,9 +126,7 @@ Status DepthVideoWriter::add(std::string_view bytes) {
   return s.file.write(packet);
 }
 
-Status DepthVideoWriter::finish() {
-  return state_->file.finish();
-}
+Status DepthVideoWriter::finish() { return state_->file.finish(); }
 
 struct DepthVideo::State {
   std::filesystem::path file;

@@ -47,8 +47,7 @@ class DepthVideoWriter {
   /// Creates or overwrites the file. Frames come 1 / frames_per_s apart. Errors: it cannot be
   /// written; that of DepthPackets.
   [[nodiscard]] static Result<DepthVideoWriter> create(const std::filesystem::path& file,
-                                                       cv::Size size,
-                                                       double frames_per_s);
+                                                       cv::Size size, double frames_per_s);
   DepthVideoWriter(DepthVideoWriter&&) noexcept;
   DepthVideoWriter& operator=(DepthVideoWriter&&) noexcept;
   ~DepthVideoWriter();

@@ -18,9 +18,7 @@ namespace {
 
 constexpr off_t kRestoreUnit = 1000000;  // MB
 
-Message restoring() {
-  return en::say("could not restore the recording");
-}
+Message restoring() { return en::say("could not restore the recording"); }
 
 off_t size_of(int descriptor) {
   struct stat status {};
@@ -36,17 +34,14 @@ Status copy_all(int from, int to, const std::filesystem::path& file, const Job& 
   for (off_t at = 0;;) {
     if (can_stop && job.stop_requested())
       return Error{en::say("stopped when {} of {} MB of the recording were restored",
-                           at / kRestoreUnit,
-                           size / kRestoreUnit),
-                   file.string(),
-                   ""};
+                           at / kRestoreUnit, size / kRestoreUnit),
+                   file.string(), ""};
     const ssize_t copied = ::sendfile(to, from, &at, kStep);
     if (copied == 0) return {};
     if (copied < 0 && errno == EINTR) continue;
     if (copied < 0 || ::fdatasync(to) != 0) return system_error(restoring(), file, errno);
     job.report(static_cast<double>(at) / static_cast<double>(std::max(at, size)),
-               en::say("restoring the removed recording: {} of {} MB",
-                       at / kRestoreUnit,
+               en::say("restoring the removed recording: {} of {} MB", at / kRestoreUnit,
                        size / kRestoreUnit));
   }
 }

@@ -20,8 +20,7 @@ namespace alltact {
 /// do it at once. Otherwise it copies every byte, reports to the job, and ends within 16 MB of a
 /// stop; the copied part remains. A job that was stopped before the call does not end it. Error: it
 /// cannot be read or written there, another file exists, or stopped.
-[[nodiscard]] Status restore_file(int descriptor,
-                                  const std::filesystem::path& file,
+[[nodiscard]] Status restore_file(int descriptor, const std::filesystem::path& file,
                                   const Job& job);
 
 // Regular synchronisation of files to the disk while they are being written.

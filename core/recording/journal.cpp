@@ -17,9 +17,7 @@ namespace {
 constexpr std::string_view kFormat = "# alltact-frames/1\n";
 constexpr std::string_view kColumns = "frame,time_ns,sequence,controls\n";
 
-Message writing() {
-  return en::say("could not write the recording's journal");
-}
+Message writing() { return en::say("could not write the recording's journal"); }
 
 /// Removes the first line from the text and returns it; empty where no complete line is left.
 std::optional<std::string_view> take_line(std::string_view& text) {
@@ -123,19 +121,14 @@ Status JournalWriter::write(std::string_view text) {
 }
 
 Status JournalWriter::add(const Frame& frame) {
-  const std::string line = fmt::format("{},{},{},{}\n",
-                                       frames_,
-                                       frame.time_ns,
-                                       frame.sequence,
+  const std::string line = fmt::format("{},{},{},{}\n", frames_, frame.time_ns, frame.sequence,
                                        frame.controls ? field(*frame.controls) : std::string());
   if (Status status = write(line); !status) return status;
   ++frames_;
   return {};
 }
 
-Status JournalWriter::remark(std::string_view sentence) {
-  return write(remark_line(sentence));
-}
+Status JournalWriter::remark(std::string_view sentence) { return write(remark_line(sentence)); }
 
 Status JournalWriter::finish() {
   const DiskWait waiting(file_);
@@ -158,8 +151,7 @@ Result<std::vector<JournalEntry>> read_journal(const std::filesystem::path& file
         !take_number(*line, entry.time_ns) || !take_number(*line, entry.sequence))
       break;
     if (!entries.empty() && entry.time_ns < entries.back().time_ns)
-      return Error{en::say("frame {} is older than frame {}", number, number - 1),
-                   file.string(),
+      return Error{en::say("frame {} is older than frame {}", number, number - 1), file.string(),
                    en::say("move this file away to use the video's own times")};
     if (!line->empty()) {
       // Usually equal from frame to frame: stored once.

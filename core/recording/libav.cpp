@@ -20,22 +20,21 @@ namespace alltact {
 namespace {
 
 Error no_video(const Message& what, const std::filesystem::path& file) {
-  return {what,
-          file.string(),
+  return {what, file.string(),
           en::say("play it in a video player; if that fails too, record it again")};
 }
 
 /// One component of every pixel of a row, 16 bits each.
-void read_component(
-    const AVFrame& frame, const AVPixFmtDescriptor& format, int row, int component, int* out) {
+void read_component(const AVFrame& frame, const AVPixFmtDescriptor& format, int row, int component,
+                    int* out) {
   std::array<const std::uint8_t*, 4> data{};
   std::array<int, 4> strides{};
   for (std::size_t plane = 0; plane < 4; ++plane) {
     data[plane] = frame.data[plane];
     strides[plane] = frame.linesize[plane];
   }
-  av_read_image_line2(
-      out, data.data(), strides.data(), &format, 0, row, component, frame.width, 0, sizeof(int));
+  av_read_image_line2(out, data.data(), strides.data(), &format, 0, row, component, frame.width, 0,
+                      sizeof(int));
 }
 
 /// True where the first component is a plane of bytes.
@@ -111,13 +110,12 @@ Result<cv::Mat> grey_of(const AVFrame& frame) {
   const AVPixFmtDescriptor* format = av_pix_fmt_desc_get(static_cast<AVPixelFormat>(frame.format));
   if (format == nullptr ||
       (format->flags & (AV_PIX_FMT_FLAG_PAL | AV_PIX_FMT_FLAG_HWACCEL | AV_PIX_FMT_FLAG_FLOAT)))
-    return Error{
-        en::say("its pixel format has no brightness"), "", en::say("a grey or colour video")};
+    return Error{en::say("its pixel format has no brightness"), "",
+                 en::say("a grey or colour video")};
   cv::Mat grey(frame.height, frame.width, CV_8UC1);
   if (has_byte_plane(*format)) {
     for (int v = 0; v < grey.rows; ++v)
-      std::copy_n(frame.data[0] + std::ptrdiff_t{v} * frame.linesize[0],
-                  grey.cols,
+      std::copy_n(frame.data[0] + std::ptrdiff_t{v} * frame.linesize[0], grey.cols,
                   grey.ptr<std::uint8_t>(v));
   } else {
     const bool is_rgb = (format->flags & AV_PIX_FMT_FLAG_RGB) != 0;
@@ -150,15 +148,11 @@ constexpr int kBufferBytes = 1 << 16;
 constexpr const char* kRecordedBy = "RECORDED_BY";
 constexpr const char* kRecorderName = "AllTact";
 
-Message writing_video() {
-  return en::say("could not write the video");
-}
+Message writing_video() { return en::say("could not write the video"); }
 
 }  // namespace
 
-MatroskaTag recording_tag() {
-  return {kRecordedBy, kRecorderName};
-}
+MatroskaTag recording_tag() { return {kRecordedBy, kRecorderName}; }
 
 bool is_own_recording(const AVFormatContext& input) {
   const AVDictionaryEntry* entry = av_dict_get(input.metadata, kRecordedBy, nullptr, 0);
@@ -216,23 +210,16 @@ struct MatroskaFile::State {
   }
 };
 
-Status MatroskaFile::State::open(const AVCodecParameters& parameters,
-                                 double frames_per_s,
+Status MatroskaFile::State::open(const AVCodecParameters& parameters, double frames_per_s,
                                  const MatroskaTag& tag) {
   descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
   if (descriptor < 0) return error(AVERROR(errno));
   if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0)
-    return Error{en::say("it is being recorded or repaired right now"),
-                 file.string(),
+    return Error{en::say("it is being recorded or repaired right now"), file.string(),
                  en::say("another name")};
   if (::ftruncate(descriptor, 0) != 0) return error(AVERROR(errno));
-  io = avio_alloc_context(static_cast<std::uint8_t*>(av_malloc(kBufferBytes)),
-                          kBufferBytes,
-                          1,
-                          this,
-                          nullptr,
-                          write,
-                          seek);
+  io = avio_alloc_context(static_cast<std::uint8_t*>(av_malloc(kBufferBytes)), kBufferBytes, 1,
+                          this, nullptr, write, seek);
   int status = avformat_alloc_output_context2(&context, nullptr, "matroska", nullptr);
   if (status < 0) return error(status);
   context->pb = io;
@@ -283,8 +270,7 @@ MatroskaFile& MatroskaFile::operator=(MatroskaFile&&) noexcept = default;
 MatroskaFile::~MatroskaFile() = default;
 
 Result<MatroskaFile> MatroskaFile::create(const std::filesystem::path& file,
-                                          const AVCodecParameters& parameters,
-                                          double frames_per_s,
+                                          const AVCodecParameters& parameters, double frames_per_s,
                                           const MatroskaTag& tag) {
   auto state = std::make_unique<State>();
   state->file = file;
@@ -307,11 +293,7 @@ Status MatroskaFile::finish() {
   return status;
 }
 
-std::uint64_t MatroskaFile::bytes() const {
-  return state_->complete_bytes;
-}
-int MatroskaFile::descriptor() const {
-  return state_->descriptor;
-}
+std::uint64_t MatroskaFile::bytes() const { return state_->complete_bytes; }
+int MatroskaFile::descriptor() const { return state_->descriptor; }
 
 }  // namespace alltact

@@ -43,10 +43,8 @@ std::uint64_t free_bytes_at(int descriptor) {
 
 Error nearly_full(const fs::path& file, std::uint64_t free_bytes, int reserve_mb) {
   return {en::say("the disk is nearly full: {} MB are left, {} MB must stay free",
-                  free_bytes / kMegabyte,
-                  reserve_mb),
-          file.string(),
-          en::say("free some space, or record to another disk")};
+                  free_bytes / kMegabyte, reserve_mb),
+          file.string(), en::say("free some space, or record to another disk")};
 }
 
 /// Creates the file, which must be new: recordings are never overwritten.
@@ -54,13 +52,11 @@ Result<int> make_new(const fs::path& file) {
   const int number = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   if (number >= 0) return number;
   if (errno == EEXIST)
-    return Error{en::say("the file exists already"),
-                 file.string(),
+    return Error{en::say("the file exists already"), file.string(),
                  en::say("another name, or remove the old one")};
   std::error_code failed;
   if (errno == ENOENT && !fs::exists(folder_of(file), failed))
-    return Error{en::say("could not start the recording: its folder does not exist"),
-                 file.string(),
+    return Error{en::say("could not start the recording: its folder does not exist"), file.string(),
                  en::say("create the folder first, or check the path for typing errors")};
   return system_error(en::say("could not start the recording"), file, errno);
 }
@@ -82,15 +78,11 @@ const std::vector<Setting<RecorderSettings>>& recorder_settings() {
            {"mjpeg", VideoCodec::kMjpeg}}),
       number_setting<S>("queue-mb",
                         en::say("memory for frames that wait for the disk, in megabytes"),
-                        &S::queue_mb,
-                        1,
-                        64000),
+                        &S::queue_mb, 1, 64000),
       number_setting<S>(
           "reserve-mb",
           en::say("space that is left free on the disk, in megabytes; the recording ends before"),
-          &S::reserve_mb,
-          0,
-          1000000),
+          &S::reserve_mb, 0, 1000000),
   };
   return settings;
 }
@@ -256,8 +248,7 @@ Status Recorder::State::close(std::string_view why, const Job& job) {
     const std::lock_guard lock(mutex);
     counts.bytes = video->bytes();
   } else if (first) {
-    first = Error{en::say("no frame arrived, so nothing was recorded"),
-                  file.string(),
+    first = Error{en::say("no frame arrived, so nothing was recorded"), file.string(),
                   en::say("check the source")};
   }
   note(journal.finish());
@@ -282,11 +273,9 @@ Status Recorder::State::save_removed(const Error& removed, const Job& job) {
   if (saved) saved = restore_file(video->descriptor(), file, job);
   if (!saved)
     return Error{en::say("{}, and it could not be restored ({})", removed.what, saved.error().what),
-                 removed.where,
-                 en::say("record again, and leave the folder alone meanwhile")};
+                 removed.where, en::say("record again, and leave the folder alone meanwhile")};
   return Error{en::clauses({removed.what, en::say("what was recorded until then was restored")}),
-               removed.where,
-               en::say("leave the folder alone while it records")};
+               removed.where, en::say("leave the folder alone while it records")};
 }
 
 Recorder::Recorder(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -298,12 +287,10 @@ Recorder::~Recorder() {
 
 Result<std::unique_ptr<Recorder>> Recorder::start(const fs::path& file,
                                                   const RecorderSettings& settings,
-                                                  double frames_per_s,
-                                                  std::string_view source) {
+                                                  double frames_per_s, std::string_view source) {
   assert(frames_per_s > 0);
   if (file.extension() != ".mkv")
-    return Error{en::say("recordings are Matroska files"),
-                 file.string(),
+    return Error{en::say("recordings are Matroska files"), file.string(),
                  en::say("a name that ends in .mkv")};
   const auto made = make_new(file);
   if (!made) return made.error();

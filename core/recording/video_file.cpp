@@ -32,8 +32,7 @@ namespace fs = std::filesystem;
 using Entry = MatroskaIndex::Block;
 
 Error unreadable(const Message& what, const fs::path& file) {
-  return {what,
-          file.string(),
+  return {what, file.string(),
           en::say("play it in a video player; if that fails too, record it again")};
 }
 
@@ -47,13 +46,8 @@ std::vector<Entry> entries_by_reading(const VideoInput& input) {
   std::vector<Entry> entries;
   const AvPtr<AVPacket> packet(av_packet_alloc());
   while (input.read(*packet))
-    entries.push_back({time_of(*packet, static_cast<std::int64_t>(entries.size())),
-                       packet->pos,
-                       0,
-                       (packet->flags & AV_PKT_FLAG_KEY) != 0,
-                       0,
-                       0,
-                       0});
+    entries.push_back({time_of(*packet, static_cast<std::int64_t>(entries.size())), packet->pos, 0,
+                       (packet->flags & AV_PKT_FLAG_KEY) != 0, 0, 0, 0});
   return entries;
 }
 
@@ -123,8 +117,8 @@ struct VideoFile::State {
 bool VideoFile::State::read(std::size_t entry) {
   const std::int64_t position = entries[entry].data_bytes_at;
   if (entry != next_read)
-    av_seek_frame(
-        input.context.get(), input.stream, entries[key_before(entry)].time, AVSEEK_FLAG_BACKWARD);
+    av_seek_frame(input.context.get(), input.stream, entries[key_before(entry)].time,
+                  AVSEEK_FLAG_BACKWARD);
   next_read = entry + 1;
   while (input.read(*packet))
     if (packet->pos == position) return check < 0 || is_undamaged(check, entries[entry]);
@@ -237,9 +231,8 @@ Result<VideoFile> VideoFile::open(const fs::path& file, const Job& job) {
   if (entries.empty()) return unreadable(en::say("the video holds no frame"), file);
   state->shown.resize(entries.size());
   std::iota(state->shown.begin(), state->shown.end(), 0U);
-  std::stable_sort(state->shown.begin(), state->shown.end(), [&](std::size_t a, std::size_t b) {
-    return entries[a].time < entries[b].time;
-  });
+  std::stable_sort(state->shown.begin(), state->shown.end(),
+                   [&](std::size_t a, std::size_t b) { return entries[a].time < entries[b].time; });
   if (state->input.video()->codecpar->codec_id != AV_CODEC_ID_MJPEG) {
     auto decoder = open_decoder(*state->input.video(), file);
     if (!decoder) return decoder.error();
@@ -251,9 +244,7 @@ Result<VideoFile> VideoFile::open(const fs::path& file, const Job& job) {
   return VideoFile(std::move(state));
 }
 
-std::size_t VideoFile::frame_count() const {
-  return state_->shown.size();
-}
+std::size_t VideoFile::frame_count() const { return state_->shown.size(); }
 
 std::int64_t VideoFile::time_ns(std::size_t number) const {
   Frame frame;
@@ -290,9 +281,7 @@ namespace {
 constexpr int kSlices = 4;
 constexpr int kSmallestSliced = 32;  // px; smaller frames cannot be cut into slices
 
-Message encoding() {
-  return en::say("could not encode the image");
-}
+Message encoding() { return en::say("could not encode the image"); }
 
 /// Encodes grey frames to packets, one each, without delay.
 class Encoder {
@@ -302,8 +291,7 @@ class Encoder {
     const AVCodec* found = avcodec_find_encoder(is_ffv1 ? AV_CODEC_ID_FFV1 : AV_CODEC_ID_MAGICYUV);
     if (found == nullptr)
       return Error{
-          en::say("this system's libavcodec cannot write {}", std::string(to_string(codec))),
-          "",
+          en::say("this system's libavcodec cannot write {}", std::string(to_string(codec))), "",
           en::say("another codec, or Debian's libavcodec")};
     Encoder encoder;
     encoder.context_.reset(avcodec_alloc_context3(found));
@@ -351,8 +339,7 @@ class Encoder {
     const int status = allocate_frame(av_frame, AV_PIX_FMT_GRAY8, grey.size());
     if (status < 0) return av_error(encoding(), {}, status);
     for (int v = 0; v < grey.rows; ++v)
-      std::copy_n(grey.ptr<std::uint8_t>(v),
-                  grey.cols,
+      std::copy_n(grey.ptr<std::uint8_t>(v), grey.cols,
                   av_frame.data[0] + std::ptrdiff_t{v} * av_frame.linesize[0]);
     ++av_frame.pts;
     return {};
@@ -378,19 +365,14 @@ AvPtr<AVCodecParameters> mjpeg_parameters(cv::Size size) {
 
 Status check(const Frame& frame, cv::Size size, VideoCodec codec) {
   if (frame.grey.type() != CV_8UC1 || frame.grey.empty())
-    return Error{
-        en::say("only 8-bit grey images can be recorded"), frame.origin, en::say("a grey source")};
+    return Error{en::say("only 8-bit grey images can be recorded"), frame.origin,
+                 en::say("a grey source")};
   if (frame.grey.size() != size)
-    return Error{en::say("the image is {} x {}, those before were {} x {}",
-                         frame.grey.cols,
-                         frame.grey.rows,
-                         size.width,
-                         size.height),
-                 frame.origin,
-                 en::say("one recording for each size")};
+    return Error{en::say("the image is {} x {}, those before were {} x {}", frame.grey.cols,
+                         frame.grey.rows, size.width, size.height),
+                 frame.origin, en::say("one recording for each size")};
   if (codec == VideoCodec::kMjpeg && !frame.jpeg)
-    return Error{en::say("the source delivers no JPEG packets to store unchanged"),
-                 frame.origin,
+    return Error{en::say("the source delivers no JPEG packets to store unchanged"), frame.origin,
                  en::say("the codec magicyuv or ffv1")};
   return {};
 }
@@ -440,10 +422,8 @@ VideoWriter::VideoWriter(VideoWriter&&) noexcept = default;
 VideoWriter& VideoWriter::operator=(VideoWriter&&) noexcept = default;
 VideoWriter::~VideoWriter() = default;
 
-Result<VideoWriter> VideoWriter::create(const std::filesystem::path& file,
-                                        const Frame& first,
-                                        VideoCodec requested,
-                                        double frames_per_s) {
+Result<VideoWriter> VideoWriter::create(const std::filesystem::path& file, const Frame& first,
+                                        VideoCodec requested, double frames_per_s) {
   quiet_libav();
   const cv::Size size = first.grey.size();
   if (Status status = check(first, size, requested); !status) return status.error();
@@ -480,18 +460,10 @@ Status VideoWriter::add(const Frame& frame) {
   return s.file.write(packet);
 }
 
-Status VideoWriter::finish() {
-  return state_->file.finish();
-}
-VideoCodec VideoWriter::codec() const {
-  return state_->codec;
-}
-std::uint64_t VideoWriter::bytes() const {
-  return state_->file.bytes();
-}
-int VideoWriter::descriptor() const {
-  return state_->file.descriptor();
-}
+Status VideoWriter::finish() { return state_->file.finish(); }
+VideoCodec VideoWriter::codec() const { return state_->codec; }
+std::uint64_t VideoWriter::bytes() const { return state_->file.bytes(); }
+int VideoWriter::descriptor() const { return state_->file.descriptor(); }
 
 namespace {
 
@@ -515,10 +487,8 @@ class Lock {
   bool is_held_;
 };
 
-Status copy_packets(const fs::path& from,
-                    const fs::path& to,
-                    const std::vector<MatroskaIndex::Block>& blocks,
-                    const Job& job) {
+Status copy_packets(const fs::path& from, const fs::path& to,
+                    const std::vector<MatroskaIndex::Block>& blocks, const Job& job) {
   const auto input = open_video_input(from);
   if (!input) return input.error();
   const AVStream& video = *input->video();
@@ -541,8 +511,7 @@ Status copy_packets(const fs::path& from,
   }
   if (copied < blocks.size())
     return Error{en::say("only {} of its {} frames could be read", copied, blocks.size()),
-                 from.string(),
-                 en::say("another copy of the recording")};
+                 from.string(), en::say("another copy of the recording")};
   return output->finish();
 }
 
@@ -565,8 +534,7 @@ void remark_lost(const fs::path& file, std::size_t frames) {
       journal_of(file),
       fmt::format("cut off and mended: the video holds {} of the {} frames that are told of here, "
                   "the last ones did not reach the disk",
-                  frames,
-                  journal->size()));
+                  frames, journal->size()));
 }
 
 }  // namespace
@@ -577,8 +545,7 @@ Result<bool> repair_recording(const fs::path& file, const Job& job) {
   if (!input->is_matroska() || !is_own_recording(*input->context)) return false;
   const Lock lock(file);
   if (!lock.is_held())
-    return Error{en::say("it is being recorded or repaired right now"),
-                 file.string(),
+    return Error{en::say("it is being recorded or repaired right now"), file.string(),
                  en::say("wait for its end")};
   // Only under the lock: the writer may have finished the file just before.
   const auto index = index_matroska(file);
@@ -733,8 +700,7 @@ Result<MatroskaIndex> index_matroska(const std::filesystem::path& path) {
   if (!file.is_open()) return system_error(en::say("the video cannot be opened"), path, errno);
   const auto head = element_at(file, 0);
   if (!head || head->id != kEbmlHead)
-    return Error{en::say("this is no Matroska file"),
-                 path.string(),
+    return Error{en::say("this is no Matroska file"), path.string(),
                  en::say("check that it is the right file")};
   return Walk(file).run();
 }

@@ -66,8 +66,7 @@ class VideoWriter {
   /// `frames_per_s`: approximate rate. Errors: the file cannot be written; kMjpeg for frames
   /// without packets; not 8-bit grey.
   [[nodiscard]] static Result<VideoWriter> create(const std::filesystem::path& file,
-                                                  const Frame& first,
-                                                  VideoCodec codec,
+                                                  const Frame& first, VideoCodec codec,
                                                   double frames_per_s);
   VideoWriter(VideoWriter&&) noexcept;
   VideoWriter& operator=(VideoWriter&&) noexcept;

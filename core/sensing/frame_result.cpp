@@ -114,8 +114,8 @@ cv::Mat contact_face_points_mm(const FrameResult& result, const Face& face) {
       const auto local = result.shape->at(u, row);
       if (!local) continue;
       const Eigen::Vector3d p = untouched_point_mm(*local, face.layer_mm, MappingAlong::kZ);
-      point[u] = {
-          static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z()) - d[u]};
+      point[u] = {static_cast<float>(p.x()), static_cast<float>(p.y()),
+                  static_cast<float>(p.z()) - d[u]};
     }
   }
   return points;

@@ -23,8 +23,7 @@ namespace alltact {
 namespace {
 
 Error unsuitable_finger(Message what, const FingerSnapshot& finger) {
-  return {std::move(what),
-          (finger.folder / Finger::kFileName).string(),
+  return {std::move(what), (finger.folder / Finger::kFileName).string(),
           en::say("our own method, which needs no dots, or a recording of a finger that has them")};
 }
 
@@ -84,10 +83,7 @@ Result<FrameResult> PaperMethod::operator()(const FramePtr& frame) {
   StopWatch watch;
   FrameResult result;
   result.frame = frame;
-  auto grey = oriented_for(finger_.camera,
-                           frame->grey,
-                           en::say("the image"),
-                           frame->origin,
+  auto grey = oriented_for(finger_.camera, frame->grey, en::say("the image"), frame->origin,
                            en::say("an image of the size that the finger was calibrated with"));
   if (!grey) return grey.error();
   result.grey = std::move(grey).value();
@@ -126,8 +122,8 @@ bool PaperMethod::find_reference(FrameResult& result) {
     result.reference = untouched_->reference_for({}, *plane_, ReferenceMethod::kSingle);
     return true;
   }
-  result.markers = paper_markers(
-      result.grey, *result.shape, finger_.markers, last_ ? &*last_ : &reference_->frame(0).markers);
+  result.markers = paper_markers(result.grey, *result.shape, finger_.markers,
+                                 last_ ? &*last_ : &reference_->frame(0).markers);
   if (!result.markers) {
     result.problems.push_back(
         en::say("fewer than two dots of a row are visible; the source paper's method cannot infer "
@@ -235,8 +231,7 @@ double intersect_profile(const PaperCurve& profile, double across, double z_mm) 
 
 Error paper_face_error(Message what) {
   return {
-      std::move(what),
-      en::say("the source paper's method"),
+      std::move(what), en::say("the source paper's method"),
       en::say(
           "an image in which the entire face is brighter than its side faces, or our own method")};
 }
@@ -283,8 +278,7 @@ Result<PaperFace> PaperFace::fit(const PaperEdges& edges, const Camera& camera, 
     return paper_face_error(
         en::say("the binarised image shows both edges of the face in {} of {} columns; at least a "
                 "fifth is needed",
-                edges.seen,
-                width));
+                edges.seen, width));
   std::vector<double> x_mm, z_mm, middle;
   std::vector<std::size_t> columns;
   for (std::size_t u = 0; u < width; ++u) {
@@ -346,19 +340,15 @@ Result<FaceShape> PaperFace::shape(const Camera& camera, const Face& face) const
   return FaceShape::fit(edges, camera, face, kDegree, std::numeric_limits<double>::infinity());
 }
 
-std::optional<Markers> paper_markers(const cv::Mat& grey,
-                                     const FaceShape& shape,
-                                     const MarkerRows& rows,
-                                     const Markers* before) {
+std::optional<Markers> paper_markers(const cv::Mat& grey, const FaceShape& shape,
+                                     const MarkerRows& rows, const Markers* before) {
   const auto found = MarkerDetector(rows)(grey, shape);
   return paper_rows(found.dots, rows.per_row, shape.base_at_low_u(), before);
 }
 
 Result<PaperReference> PaperReference::read(const std::filesystem::path& video,
-                                            const Finger& finger,
-                                            const Camera& camera,
-                                            const Job& job,
-                                            std::size_t memory_limit_bytes) {
+                                            const Finger& finger, const Camera& camera,
+                                            const Job& job, std::size_t memory_limit_bytes) {
   auto file = VideoFile::open(video, job);
   if (!file) return file.error();
   const std::size_t count = file->frame_count();
@@ -373,11 +363,9 @@ Result<PaperReference> PaperReference::read(const std::filesystem::path& video,
                en::say("reading the recording as the source paper does"));
     const auto frame = file->frame(number);
     if (!frame) return frame.error();
-    const auto grey = oriented_for(finger.camera,
-                                   (*frame)->grey,
-                                   en::say("the reference recording"),
-                                   video.string(),
-                                   en::say("recording it anew with this camera"));
+    const auto grey =
+        oriented_for(finger.camera, (*frame)->grey, en::say("the reference recording"),
+                     video.string(), en::say("recording it anew with this camera"));
     if (!grey) return grey.error();
     const auto face = PaperFace::fit(paper_edges(*grey), camera, finger.face);
     if (!face) continue;
@@ -391,8 +379,7 @@ Result<PaperReference> PaperReference::read(const std::filesystem::path& video,
   if (reference.frames_.empty())
     return Error{
         en::say("the source paper's method finds face and markers in none of {} frames", count),
-        video.string(),
-        en::say("our own method, or a recording with brighter dots")};
+        video.string(), en::say("our own method, or a recording with brighter dots")};
   return reference;
 }
 

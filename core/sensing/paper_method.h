@@ -40,10 +40,8 @@ namespace alltact {
 /// The markers of a frame by the paper's sorting into two rows. MarkerDetector finds
 /// the dots instead of the paper's network, whose weights are its authors'. `before`: the markers
 /// of an earlier frame; may be null. nullopt: too few dots.
-[[nodiscard]] std::optional<Markers> paper_markers(const cv::Mat& grey,
-                                                   const FaceShape& shape,
-                                                   const MarkerRows& rows,
-                                                   const Markers* before);
+[[nodiscard]] std::optional<Markers> paper_markers(const cv::Mat& grey, const FaceShape& shape,
+                                                   const MarkerRows& rows, const Markers* before);
 
 class PaperReference {
  public:
@@ -58,8 +56,7 @@ class PaperReference {
   /// second, third, ... frame. Errors: the video cannot be read, or shows the markers in no frame;
   /// stopped.
   [[nodiscard]] static Result<PaperReference> read(const std::filesystem::path& video,
-                                                   const Finger& finger,
-                                                   const Camera& camera,
+                                                   const Finger& finger, const Camera& camera,
                                                    const Job& job,
                                                    std::size_t memory_limit_bytes = std::size_t{512}
                                                                                     << 20);
@@ -136,8 +133,7 @@ class PaperFace {
  public:
   /// Errors: both edges are seen in fewer than a fifth of the columns; no z is finite and positive;
   /// an orthographic camera.
-  [[nodiscard]] static Result<PaperFace> fit(const PaperEdges& edges,
-                                             const Camera& camera,
+  [[nodiscard]] static Result<PaperFace> fit(const PaperEdges& edges, const Camera& camera,
                                              const Face& face);
 
   /// z of the profile by column, mm; NaN where the column does not show both edges.

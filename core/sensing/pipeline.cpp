@@ -70,9 +70,7 @@ std::optional<Mapping> mapping_as_measured(const std::optional<Mapping>& mapping
 
 }  // namespace
 
-Result<FrameResult> Pipeline::operator()(const FramePtr& frame) {
-  return measure(frame, nullptr);
-}
+Result<FrameResult> Pipeline::operator()(const FramePtr& frame) { return measure(frame, nullptr); }
 
 Result<FrameResult> Pipeline::measure_untracked(const FramePtr& frame,
                                                 std::optional<FrameContacts>& contacts) {
@@ -122,10 +120,7 @@ Result<FrameResult> Pipeline::measure(const FramePtr& frame,
 
 Result<cv::Mat> Pipeline::oriented(const Frame& frame) const {
   if (!snapshot_) return reduced_image(frame.grey, binning_factor(settings_.resolution));
-  return image_for(*snapshot_,
-                   frame.grey,
-                   en::say("the image"),
-                   frame.origin,
+  return image_for(*snapshot_, frame.grey, en::say("the image"), frame.origin,
                    library_ ? en::say("an image of the size that the finger was calibrated with")
                             : en::say("the finger that belongs to this camera, or this finger's "
                                       "camera"));
@@ -210,14 +205,12 @@ void Pipeline::find_reference(FrameResult& result, StopWatch& watch) {
   }
   if (seen && finger_->contact) {
     displacement_cov_px2_ = markers_covariance(result);
-    result.push = push_of(
-        *result.markers, *finger_->contact, result.shape->base_at_low_u(), displacement_cov_px2_);
+    result.push = push_of(*result.markers, *finger_->contact, result.shape->base_at_low_u(),
+                          displacement_cov_px2_);
   }
-  result.reference = library_->reference_for(result.markers ? *result.markers : Markers{},
-                                             *result.shape,
-                                             settings_.reference,
-                                             {},
-                                             settings_.reference_neighbours);
+  result.reference =
+      library_->reference_for(result.markers ? *result.markers : Markers{}, *result.shape,
+                              settings_.reference, {}, settings_.reference_neighbours);
   if (!result.reference->known_pose) {
     result.problems.push_back(pose_not_recorded(result.reference->distance_px));
   }
@@ -274,8 +267,7 @@ Eigen::MatrixXd Pipeline::markers_covariance(const FrameResult& result) const {
       seen, model && !are_all_seen(seen) ? model->covariance_px2(seen) : std::nullopt);
 }
 
-void Pipeline::track_contact(FrameResult& result,
-                             std::optional<FrameContacts>* contacts,
+void Pipeline::track_contact(FrameResult& result, std::optional<FrameContacts>* contacts,
                              StopWatch& watch) {
   FingerContactTracker::FrameInput signs;
   if (result.frame->time_ns != 0) signs.time_s = 1e-9 * static_cast<double>(result.frame->time_ns);
@@ -312,8 +304,7 @@ void Pipeline::find_force(FrameResult& result, StopWatch& watch) {
   watch.lap(result.times_ms.force);
 }
 
-Result<Pipeline> Pipeline::create(const FingerSnapshot& finger,
-                                  const PipelineSettings& settings,
+Result<Pipeline> Pipeline::create(const FingerSnapshot& finger, const PipelineSettings& settings,
                                   const Job& job) {
   auto library = ReferenceLibrary::load(finger_as_measured(finger, settings), job);
   if (!library) return library.error();
@@ -322,8 +313,7 @@ Result<Pipeline> Pipeline::create(const FingerSnapshot& finger,
   return pipeline;
 }
 
-Pipeline Pipeline::with_library(ReferenceLibrary library,
-                                const FingerSnapshot& full_size,
+Pipeline Pipeline::with_library(ReferenceLibrary library, const FingerSnapshot& full_size,
                                 const PipelineSettings& settings) {
   const FingerSnapshot snapshot = finger_as_measured(full_size, settings);
   const Finger& finger = snapshot.finger;
@@ -366,8 +356,7 @@ Pipeline Pipeline::without_reference(const FingerSnapshot& full_size,
   pipeline.finger_ = finger;
   pipeline.camera_ = snapshot.camera;
   pipeline.snapshot_ = snapshot;
-  pipeline.edge_finder_ = FaceEdgeFinder({settings.edge_method,
-                                          settings.edge_columns,
+  pipeline.edge_finder_ = FaceEdgeFinder({settings.edge_method, settings.edge_columns,
                                           FaceView{snapshot.camera, finger.face.width_mm}});
   pipeline.rows_.emplace(finger.markers);
   return pipeline;
@@ -378,9 +367,7 @@ Pipeline::Pipeline(const PipelineSettings& settings)
       edge_finder_({settings.edge_method, settings.edge_columns}),
       mean_(settings.average_frames) {}
 
-Pipeline Pipeline::without_finger(const PipelineSettings& settings) {
-  return Pipeline(settings);
-}
+Pipeline Pipeline::without_finger(const PipelineSettings& settings) { return Pipeline(settings); }
 
 void Pipeline::forget() {
   if (paper_) paper_->forget();

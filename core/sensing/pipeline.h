@@ -63,14 +63,12 @@ class Pipeline {
   /// Reads the finger's reference recording. A finger without a mapping is measured up to
   /// `difference`. Errors: those of ReferenceLibrary::load, and of DotNetwork::load where a network
   /// finds the markers.
-  static Result<Pipeline> create(const FingerSnapshot& finger,
-                                 const PipelineSettings& settings,
+  static Result<Pipeline> create(const FingerSnapshot& finger, const PipelineSettings& settings,
                                  const Job& job);
 
   /// Uses a library that is already in memory (ReferenceLibrary::load of finger_as_measured()). A
   /// marker network that cannot be used is a problem of every frame.
-  static Pipeline with_library(ReferenceLibrary library,
-                               const FingerSnapshot& finger,
+  static Pipeline with_library(ReferenceLibrary library, const FingerSnapshot& finger,
                                const PipelineSettings& settings);
 
   /// Measures by the source paper's method instead of the program's own.

@@ -23,9 +23,7 @@ using S = PipelineSettings;
 constexpr const char* kFullFace = "all";
 constexpr double kMaxFace_mm = 1000;
 
-bool has_edges(const Finger& finger) {
-  return finger.face.kind == FaceKind::kFinRay;
-}
+bool has_edges(const Finger& finger) { return finger.face.kind == FaceKind::kFinRay; }
 
 bool has_markers(const Finger& finger) {
   return has_edges(finger) && finger.markers.per_row > 0 &&
@@ -76,8 +74,7 @@ Setting<S> region_setting() {
     if (!region)
       return Error{
           en::say("'{}' is not 'all' or a part of the face in mm such as 20-60", printable(text)),
-          std::string("region"),
-          ""};
+          std::string("region"), ""};
     s.region = *region;
     return {};
   };
@@ -104,9 +101,7 @@ std::vector<Setting<S>> image_settings() {
               "average-frames",
               en::say("images of one source whose running mean is measured; 1: each by itself. A "
                       "moving finger then appears at its average position, and blurred"),
-              &S::average_frames,
-              1,
-              64),
+              &S::average_frames, 1, 64),
           {en::say("more reduce the noise of a finger that holds still, by their square root"),
            en::say(
                "more delay the results, by half their number; adding them up takes a little time"),
@@ -134,9 +129,7 @@ std::vector<Setting<S>> edge_settings() {
       with_trade_off(
           number_setting<S>("edge-columns",
                             en::say("pixel columns averaged into one position on each edge"),
-                            &S::edge_columns,
-                            1,
-                            32),
+                            &S::edge_columns, 1, 32),
           {en::say("more reduce the noise of dark images; beyond 16 a bent finger's edge is no "
                    "longer straight within them"),
            en::say("fewer make more positions, to each of which the curve must be fitted"),
@@ -146,9 +139,7 @@ std::vector<Setting<S>> edge_settings() {
       with_trade_off(
           number_setting<S>("profile-degree",
                             en::say("degree of the smooth curve through each edge of the face"),
-                            &S::profile_degree,
-                            2,
-                            12),
+                            &S::profile_degree, 2, 12),
           {en::say("higher follows sharper bends; too high follows noise where the edge is "
                    "hidden"),
            en::say("higher makes the fit slower"),
@@ -160,8 +151,7 @@ std::vector<Setting<S>> edge_settings() {
               "undistortion",
               en::say("whether the lens distortion is removed from every point, or the lens is "
                       "assumed to have none"),
-              &S::undistort,
-              {{"exact", true}, {"none", false}}),
+              &S::undistort, {{"exact", true}, {"none", false}}),
           {en::say("'exact' measures shape and positions correctly up to the image's corners"),
            en::say("'exact' looks up each ray separately"),
            {"none", "exact"},
@@ -190,8 +180,7 @@ std::vector<Setting<S>> marker_settings() {
       text_setting<S>("marker-network",
                       en::say("the network for marker-method network, and for paper where one is "
                               "named: an ONNX file, also a detector such as YOLO11"),
-                      &S::marker_network,
-                      fmt::format("a file, or {}", kBuiltInNetwork))};
+                      &S::marker_network, fmt::format("a file, or {}", kBuiltInNetwork))};
 }
 
 std::vector<Setting<S>> depth_settings() {
@@ -215,9 +204,7 @@ std::vector<Setting<S>> depth_settings() {
           number_setting<S>(
               "reference-neighbours",
               en::say("recorded images from which reference-method local computes the reference"),
-              &S::reference_neighbours,
-              2,
-              32),
+              &S::reference_neighbours, 2, 32),
           {en::say("more leave less noise in the reference; too many reach too far from "
                    "the pose"),
            en::say("each is added up in every frame"),
@@ -229,8 +216,7 @@ std::vector<Setting<S>> depth_settings() {
               "light-change",
               en::say("whether a change of light since the reference is measured on the untouched "
                       "skin and removed"),
-              &S::correct_light,
-              {{"corrected", true}, {"ignored", false}}),
+              &S::correct_light, {{"corrected", true}, {"ignored", false}}),
           {en::say("'corrected' corrects depth when the room or the lamp changes"),
            en::say("'corrected' analyses the untouched skin once"),
            {"ignored", "corrected"}}),
@@ -238,9 +224,7 @@ std::vector<Setting<S>> depth_settings() {
           number_setting<S>("smoothing-px",
                             en::say("standard deviation of the smoothing before depth is computed, "
                                     "in pixels; 0: none"),
-                            &S::smoothing_px,
-                            0.0,
-                            8.0),
+                            &S::smoothing_px, 0.0, 8.0),
           {en::say("more reduces the noise of a smooth contact and rounds off edges and threads"),
            en::say("more takes longer, none is fastest"),
            {"0", "1", "2", "4"}}),
@@ -249,8 +233,7 @@ std::vector<Setting<S>> depth_settings() {
               "rays",
               en::say("how a layer pressed in along its normal is converted to z: looked up where "
                       "the normal leads, or at the same pixel as if all rays were parallel"),
-              &S::exact_rays,
-              {{"exact", true}, {"parallel", false}}),
+              &S::exact_rays, {{"exact", true}, {"parallel", false}}),
           {en::say("'exact' measures a contact on a sloping face at its true position and depth; "
                    "'parallel' up to a layer's thickness off"),
            en::say("'exact' looks up every pixel of a contact once more"),
@@ -259,9 +242,7 @@ std::vector<Setting<S>> depth_settings() {
            maps_along_normal}),
       number_setting<S>("contact-threshold-mm",
                         en::say("depth that counts as contact, in millimetres"),
-                        &S::contact_threshold_mm,
-                        0.01,
-                        5.0)};
+                        &S::contact_threshold_mm, 0.01, 5.0)};
 }
 
 // No study varies it: no frame is measured with it.
@@ -270,9 +251,7 @@ Setting<S> mesh_setting() {
       number_setting<S>("mesh-step-px",
                         en::say("pixels from one vertex to the next in surfaces that "
                                 "are saved or shown in 3D; 1: every pixel"),
-                        &S::mesh_step_px,
-                        1,
-                        16),
+                        &S::mesh_step_px, 1, 16),
       {en::say("1 preserves every measured edge"),
        en::say("time and size fall with its square"),
        {}});
@@ -292,8 +271,8 @@ const std::vector<Setting<PipelineSettings>>& pipeline_settings() {
 }
 
 const std::vector<std::string>& mapping_independent_settings() {
-  static const std::vector<std::string> names{
-      "resolution", "average-frames", "region", "rays", "contact-threshold-mm", "mesh-step-px"};
+  static const std::vector<std::string> names{"resolution", "average-frames",       "region",
+                                              "rays",       "contact-threshold-mm", "mesh-step-px"};
   return names;
 }
 

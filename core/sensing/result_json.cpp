@@ -152,15 +152,9 @@ Json regions_json(const std::vector<ContactRegion>& regions) {
 
 /// Fractions of the face by the validity of their depth. Zero fractions are left out.
 Json validity_json(const cv::Mat& flags) {
-  static constexpr std::array<const char*, kPixelFlagCount> kNames{"measured",
-                                                                   "off_face",
-                                                                   "too_dark",
-                                                                   "saturated",
-                                                                   "extrapolated",
-                                                                   "beyond_layer",
-                                                                   "no_reference",
-                                                                   "hidden_end",
-                                                                   "bulge_limit"};
+  static constexpr std::array<const char*, kPixelFlagCount> kNames{
+      "measured",     "off_face",     "too_dark",   "saturated",  "extrapolated",
+      "beyond_layer", "no_reference", "hidden_end", "bulge_limit"};
   const FlagFractions shares = flag_fractions(flags);
   Json entry = Json::object();
   for (std::size_t k = 0; k < kNames.size(); ++k)
@@ -235,8 +229,7 @@ std::string result_line(const FrameResult& result, std::size_t index, ReferenceM
   return line.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-std::string failure_line(const std::string& frame,
-                         std::size_t index,
+std::string failure_line(const std::string& frame, std::size_t index,
                          const std::vector<Message>& problems) {
   Json line;
   line["frame"] = frame;
@@ -250,16 +243,13 @@ std::string frame_name(const Error& error, std::size_t index) {
   return stem.empty() ? fmt::format("frame_{:05}", index) : stem;
 }
 
-Message as_sentence(const Error& error) {
-  return en::say("{}.", error.message());
-}
+Message as_sentence(const Error& error) { return en::say("{}.", error.message()); }
 
 std::string contact_text(const FingerContact& contact) {
   return contact_json(contact).dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-std::string with_contact(const std::string& line,
-                         const std::string& contact,
+std::string with_contact(const std::string& line, const std::string& contact,
                          const ContactState::Estimate& tracked) {
   Json entry = Json::parse(contact);
   put_tracked(entry, tracked);

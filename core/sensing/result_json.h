@@ -13,13 +13,11 @@ namespace alltact {
 
 /// One JSON object without line break. Fields that could not be estimated are absent, never zero;
 /// `problems` holds the reasons in English.
-[[nodiscard]] std::string result_line(const FrameResult& result,
-                                      std::size_t index,
+[[nodiscard]] std::string result_line(const FrameResult& result, std::size_t index,
                                       ReferenceMethod method);
 
 /// The line of a frame that could not be read.
-[[nodiscard]] std::string failure_line(const std::string& frame,
-                                       std::size_t index,
+[[nodiscard]] std::string failure_line(const std::string& frame, std::size_t index,
                                        const std::vector<Message>& problems);
 
 /// Name of a frame that could not be read, from the error that names its file.
@@ -34,8 +32,7 @@ namespace alltact {
 /// Inserts a contact into the line of a frame that was measured on its own
 /// (Pipeline::measure_untracked).
 ///   contact: contact_text()
-[[nodiscard]] std::string with_contact(const std::string& line,
-                                       const std::string& contact,
+[[nodiscard]] std::string with_contact(const std::string& line, const std::string& contact,
                                        const ContactState::Estimate& tracked);
 
 }  // namespace alltact

@@ -19,14 +19,12 @@ constexpr std::size_t kCoarseSteps = 64;
 constexpr double kMinNoiseMm = 1e-6;  // finite weights for pixels without noise
 
 Error too_few(std::size_t have, std::size_t need) {
-  return {en::say("{} measured pixels where {} are needed", have, need),
-          "",
+  return {en::say("{} measured pixels where {} are needed", have, need), "",
           en::say("a larger piece, or one that is measured")};
 }
 
 Error at_a_limit() {
-  return {en::say("part of this piece is at a limit of the measuring range"),
-          "",
+  return {en::say("part of this piece is at a limit of the measuring range"), "",
           en::say("a piece that is pressed in less deeply")};
 }
 
@@ -38,9 +36,8 @@ SurfacePatch moved(const SurfacePatch& patch) {
 }
 
 bool has_limit(const SurfacePatch& patch) {
-  return std::any_of(patch.points.begin(), patch.points.end(), [](const SurfacePoint& point) {
-    return point.is_limit;
-  });
+  return std::any_of(patch.points.begin(), patch.points.end(),
+                     [](const SurfacePoint& point) { return point.is_limit; });
 }
 
 Eigen::Vector3d mean_point_mm(const SurfacePatch& patch) {
@@ -182,11 +179,8 @@ struct Side {
 };
 
 /// The reason why both sides of a step are not two parallel planes; nullopt if they are.
-std::optional<Error> no_planes(const SurfacePatch& line,
-                               const std::vector<double>& along_mm,
-                               double at_mm,
-                               double gap_mm,
-                               double height_mm) {
+std::optional<Error> no_planes(const SurfacePatch& line, const std::vector<double>& along_mm,
+                               double at_mm, double gap_mm, double height_mm) {
   constexpr double kMinLength = 0.1;  // of the line
   constexpr double kMaxNoiseRatio = 1.5, kMaxOfStep = 0.05;
   constexpr double kSlopeSds = 4, kTiltOfStep = 0.1;
@@ -197,8 +191,7 @@ std::optional<Error> no_planes(const SurfacePatch& line,
   const double length_mm = along_mm.back() - along_mm.front();
   for (Side* side : {&before, &after}) {
     if (side->along_mm.size() < kMinStepPoints / 3 || side->length_mm() < kMinLength * length_mm)
-      return Error{en::say("one side of the step is too short to be a plane"),
-                   "",
+      return Error{en::say("one side of the step is too short to be a plane"), "",
                    en::say("a line that reaches further over both sides")};
     if (side->has_limit) return at_a_limit();
     side->fit(line.noise_pixels);
@@ -207,16 +200,14 @@ std::optional<Error> no_planes(const SurfacePatch& line,
     const double max_mm = std::max(kMaxNoiseRatio * side->noise_mm * std::sqrt(spread),
                                    kMaxOfStep * std::abs(height_mm));
     if (side->misfit_mm > max_mm)
-      return Error{en::say("one side of the step is not flat"),
-                   "",
+      return Error{en::say("one side of the step is not flat"), "",
                    en::say("a line over two planes, with the step between them")};
   }
   const double tilt = std::abs(before.slope - after.slope);
   const double max_tilt = std::max(kSlopeSds * std::hypot(before.slope_sd, after.slope_sd),
                                    kTiltOfStep * std::abs(height_mm) / (0.5 * length_mm));
   if (tilt > max_tilt)
-    return Error{en::say("the two sides of the step are not parallel"),
-                 "",
+    return Error{en::say("the two sides of the step are not parallel"), "",
                  en::say("a line over two parallel planes, with the step between them")};
   return std::nullopt;
 }
@@ -232,8 +223,7 @@ double noise_pixels_of_row(double smoothing_px) {
 }
 
 Result<FittedBall> fit_ball(const SurfacePatch& patch) {
-  const Error none{en::say("no ball lies in this piece"),
-                   "",
+  const Error none{en::say("no ball lies in this piece"), "",
                    en::say("a round piece, visible down to half its depth")};
   std::vector<std::size_t> cap = deep_half(patch);
   std::optional<FittedBall> ball;
@@ -272,8 +262,7 @@ Result<PressedSurface> pressed_part(const SurfacePatch& patch, double threshold_
     common_of_volume += point.projected_mm2 * point.common_mm;
   }
   if (!(area > 0))
-    return Error{en::say("nothing here is deeper than {} mm", threshold_mm),
-                 "",
+    return Error{en::say("nothing here is deeper than {} mm", threshold_mm), "",
                  en::say("a piece where something presses")};
   PressedSurface part;
   part.area_mm2 = {area, (max_area - min_area) / 2};
@@ -322,9 +311,8 @@ Result<Roughness> roughness(const SurfacePatch& patch) {
   const double sd_of_squares = squares * std::sqrt(2 / independent);
   const double true_squares = std::max(0.0, squares - rough.noise_mm * rough.noise_mm);
   const double sq = std::sqrt(true_squares);
-  rough.sq_mm = {sq,
-                 std::max(sq - std::sqrt(std::max(0.0, true_squares - sd_of_squares)),
-                          std::sqrt(true_squares + sd_of_squares) - sq)};
+  rough.sq_mm = {sq, std::max(sq - std::sqrt(std::max(0.0, true_squares - sd_of_squares)),
+                              std::sqrt(true_squares + sd_of_squares) - sq)};
   return rough;
 }
 
@@ -378,8 +366,7 @@ Result<StepHeight> step_height(const SurfacePatch& line, const std::vector<doubl
   if (best) best = fit_at(best_at, gap_mm, false);
   const auto if_moved = best ? fit_at(best_at, gap_mm, true) : std::nullopt;
   if (!if_moved || !(std::abs(best->height) > 3 * best->sd))
-    return Error{en::say("no step along this line exceeds the noise"),
-                 "",
+    return Error{en::say("no step along this line exceeds the noise"), "",
                  en::say("a line that crosses the step at a right angle")};
   if (auto problem = no_planes(line, along_mm, best_at, gap_mm, best->height)) return *problem;
   return StepHeight{{best->height, std::hypot(best->sd, if_moved->height - best->height)}, best_at};
@@ -395,11 +382,8 @@ std::optional<double> if_finite(float value) {
 }
 
 /// Samples from one pixel to another, at most a pixel apart.
-std::vector<FaceSample> samples_between(const FrameResult& result,
-                                        const Face& face,
-                                        const cv::Mat& sd_mm,
-                                        cv::Point2d from,
-                                        cv::Point2d to) {
+std::vector<FaceSample> samples_between(const FrameResult& result, const Face& face,
+                                        const cv::Mat& sd_mm, cv::Point2d from, cv::Point2d to) {
   const int steps = std::max(1, static_cast<int>(std::ceil(cv::norm(to - from))));
   std::vector<FaceSample> samples;
   for (int i = 0; i <= steps; ++i) {
@@ -424,10 +408,8 @@ float bilinear_value(const cv::Mat& image, double u, double v) {
          down * ((1 - across) * b[left] + across * b[right]);
 }
 
-std::optional<FaceSample> sample_face(const FrameResult& result,
-                                      const Face& face,
-                                      const cv::Mat& sd_mm,
-                                      cv::Point2d pixel) {
+std::optional<FaceSample> sample_face(const FrameResult& result, const Face& face,
+                                      const cv::Mat& sd_mm, cv::Point2d pixel) {
   if (!result.shape || !result.depth) return std::nullopt;
   const int u = static_cast<int>(std::lround(pixel.x)), v = static_cast<int>(std::lround(pixel.y));
   const cv::Mat& depth = result.depth->depth_mm;
@@ -445,11 +427,8 @@ std::optional<FaceSample> sample_face(const FrameResult& result,
   return sample;
 }
 
-Profile profile_between(const FrameResult& result,
-                        const Face& face,
-                        const cv::Mat& sd_mm,
-                        cv::Point2d from,
-                        cv::Point2d to) {
+Profile profile_between(const FrameResult& result, const Face& face, const cv::Mat& sd_mm,
+                        cv::Point2d from, cv::Point2d to) {
   Profile profile;
   double along = 0;
   const auto samples = samples_between(result, face, sd_mm, from, to);
@@ -463,10 +442,8 @@ Profile profile_between(const FrameResult& result,
   return profile;
 }
 
-std::optional<Distance> distance_between(const FrameResult& result,
-                                         const Face& face,
-                                         cv::Point2d from,
-                                         cv::Point2d to) {
+std::optional<Distance> distance_between(const FrameResult& result, const Face& face,
+                                         cv::Point2d from, cv::Point2d to) {
   const auto first = sample_face(result, face, {}, from), last = sample_face(result, face, {}, to);
   if (!first || !last) return std::nullopt;
   Distance distance;
@@ -483,19 +460,15 @@ namespace {
 /// Columns over which errors of the face's z are correlated.
 double correlation_px(const FaceShape& shape) {
   constexpr double kCoefficients = 8;
-  const auto valid = std::count_if(shape.columns().begin(),
-                                   shape.columns().end(),
+  const auto valid = std::count_if(shape.columns().begin(), shape.columns().end(),
                                    [](const FaceColumn& column) { return column.valid; });
   return std::max(1.0, static_cast<double>(valid) / kCoefficients);
 }
 
 }  // namespace
 
-Result<MeasuredValue> straight_distance(const FrameResult& result,
-                                        const Face& face,
-                                        const cv::Mat& sd_mm,
-                                        cv::Point2d from,
-                                        cv::Point2d to) {
+Result<MeasuredValue> straight_distance(const FrameResult& result, const Face& face,
+                                        const cv::Mat& sd_mm, cv::Point2d from, cv::Point2d to) {
   const auto first = sample_face(result, face, sd_mm, from);
   const auto second = sample_face(result, face, sd_mm, to);
   if (!first || !second)
@@ -527,8 +500,8 @@ namespace {
 constexpr double kMaxPoints = 1500;
 
 /// nullopt off the face.
-std::optional<SurfacePoint> point_at(
-    const FrameResult& result, const Face& face, int u, int v, const DepthErrorTerms& causes) {
+std::optional<SurfacePoint> point_at(const FrameResult& result, const Face& face, int u, int v,
+                                     const DepthErrorTerms& causes) {
   const auto local = result.shape->at(u, v);
   const auto area = result.shape->pixel_area(u, v);
   if (!local || !area) return std::nullopt;
@@ -549,11 +522,8 @@ bool is_measured(const FrameResult& result) {
 
 }  // namespace
 
-SurfacePatch patch_in(const FrameResult& result,
-                      const Face& face,
-                      const Mapping& mapping,
-                      double smoothing_px,
-                      const cv::Rect& box) {
+SurfacePatch patch_in(const FrameResult& result, const Face& face, const Mapping& mapping,
+                      double smoothing_px, const cv::Rect& box) {
   SurfacePatch patch;
   if (!is_measured(result)) return patch;
   const cv::Rect inside = box & cv::Rect({}, result.depth->depth_mm.size());
@@ -574,12 +544,8 @@ SurfacePatch patch_in(const FrameResult& result,
   return patch;
 }
 
-SurfaceLine line_between(const FrameResult& result,
-                         const Face& face,
-                         const Mapping& mapping,
-                         double smoothing_px,
-                         cv::Point2d from,
-                         cv::Point2d to) {
+SurfaceLine line_between(const FrameResult& result, const Face& face, const Mapping& mapping,
+                         double smoothing_px, cv::Point2d from, cv::Point2d to) {
   SurfaceLine line;
   if (!is_measured(result)) return line;
   line.patch.noise_pixels = noise_pixels_of_row(smoothing_px);
@@ -639,8 +605,7 @@ Eigen::Vector3d normal_of(const Eigen::Vector2d& slope) {
 }  // namespace
 
 Result<FittedPlane> fit_plane(const SurfacePatch& patch) {
-  const Error none{en::say("so few measured pixels, or pixels on one line, define no plane"),
-                   "",
+  const Error none{en::say("so few measured pixels, or pixels on one line, define no plane"), "",
                    en::say("a larger piece, or one that is measured")};
   if (patch.points.size() < kMinPlanePoints) return none;
   if (has_limit(patch)) return at_a_limit();

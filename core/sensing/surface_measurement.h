@@ -130,10 +130,8 @@ struct FaceSample {
 };
 
 /// nullopt off the face. `sd_mm`: as depth_sd_mm() returns it; may be empty.
-[[nodiscard]] std::optional<FaceSample> sample_face(const FrameResult& result,
-                                                    const Face& face,
-                                                    const cv::Mat& sd_mm,
-                                                    cv::Point2d pixel);
+[[nodiscard]] std::optional<FaceSample> sample_face(const FrameResult& result, const Face& face,
+                                                    const cv::Mat& sd_mm, cv::Point2d pixel);
 
 /// Distance between two points of the contact face.
 struct Distance {
@@ -151,17 +149,12 @@ struct Profile {
 };
 
 /// Takes one step a pixel, at least two. Positions off the face are left out.
-[[nodiscard]] Profile profile_between(const FrameResult& result,
-                                      const Face& face,
-                                      const cv::Mat& sd_mm,
-                                      cv::Point2d from,
-                                      cv::Point2d to);
+[[nodiscard]] Profile profile_between(const FrameResult& result, const Face& face,
+                                      const cv::Mat& sd_mm, cv::Point2d from, cv::Point2d to);
 
 /// nullopt where one of them is off the face.
-[[nodiscard]] std::optional<Distance> distance_between(const FrameResult& result,
-                                                       const Face& face,
-                                                       cv::Point2d from,
-                                                       cv::Point2d to);
+[[nodiscard]] std::optional<Distance> distance_between(const FrameResult& result, const Face& face,
+                                                       cv::Point2d from, cv::Point2d to);
 
 // Distance between two points of the contact face, with its standard deviation.
 
@@ -178,10 +171,8 @@ struct Profile {
 ///
 /// `sd_mm`: of the depth, as depth_sd_mm() returns it. Errors: a position is off the face; both
 /// positions are the same.
-[[nodiscard]] Result<MeasuredValue> straight_distance(const FrameResult& result,
-                                                      const Face& face,
-                                                      const cv::Mat& sd_mm,
-                                                      cv::Point2d from,
+[[nodiscard]] Result<MeasuredValue> straight_distance(const FrameResult& result, const Face& face,
+                                                      const cv::Mat& sd_mm, cv::Point2d from,
                                                       cv::Point2d to);
 
 // Extracts patches of the contact face from a measured frame.
@@ -189,10 +180,8 @@ struct Profile {
 /// The pixels of `box` that have a depth. A large box is sampled at every second, third, ... pixel
 /// in both directions, so that about 1500 remain. `smoothing_px`: setting of the measurement. Empty
 /// where the frame has no depth.
-[[nodiscard]] SurfacePatch patch_in(const FrameResult& result,
-                                    const Face& face,
-                                    const Mapping& mapping,
-                                    double smoothing_px,
+[[nodiscard]] SurfacePatch patch_in(const FrameResult& result, const Face& face,
+                                    const Mapping& mapping, double smoothing_px,
                                     const cv::Rect& box);
 
 /// The pixels on a straight line in the image, each once, and their distance from the first one
@@ -201,11 +190,8 @@ struct SurfaceLine {
   SurfacePatch patch;
   std::vector<double> along_mm;
 };
-[[nodiscard]] SurfaceLine line_between(const FrameResult& result,
-                                       const Face& face,
-                                       const Mapping& mapping,
-                                       double smoothing_px,
-                                       cv::Point2d from,
-                                       cv::Point2d to);
+[[nodiscard]] SurfaceLine line_between(const FrameResult& result, const Face& face,
+                                       const Mapping& mapping, double smoothing_px,
+                                       cv::Point2d from, cv::Point2d to);
 
 }  // namespace alltact

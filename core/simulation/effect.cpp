@@ -16,26 +16,21 @@ Status check_position(const SceneFacts& scene, const Varying& s_mm, const Varyin
   const Face& face = scene.finger.face;
   if (face.kind == FaceKind::kFlat) return {};
   if (s_mm.min_value() < 0 || s_mm.max_value() > scene.length_mm)
-    return Error{
-        en::say("s_mm is beyond the ends of the face"), "", en::say("0 to {:g}", scene.length_mm)};
+    return Error{en::say("s_mm is beyond the ends of the face"), "",
+                 en::say("0 to {:g}", scene.length_mm)};
   if (y_mm.min_value() < -face.width_mm / 2 || y_mm.max_value() > face.width_mm / 2)
-    return Error{en::say("y_mm is outside the face"),
-                 "",
+    return Error{en::say("y_mm is outside the face"), "",
                  en::say("{:g} to {:g}", -face.width_mm / 2, face.width_mm / 2)};
   return {};
 }
 
-Status check_press(const SceneFacts& scene,
-                   const Varying& depth_mm,
-                   const Varying& s_mm,
+Status check_press(const SceneFacts& scene, const Varying& depth_mm, const Varying& s_mm,
                    const Varying& y_mm) {
   const Face& face = scene.finger.face;
   if (depth_mm.max_value() >= face.layer_mm)
     return Error{en::say("depth_mm = {:g} reaches through the layer of {:g} mm",
-                         depth_mm.max_value(),
-                         face.layer_mm),
-                 "",
-                 en::say("less than finger.face.layer_mm")};
+                         depth_mm.max_value(), face.layer_mm),
+                 "", en::say("less than finger.face.layer_mm")};
   return check_position(scene, s_mm, y_mm);
 }
 
@@ -47,12 +42,10 @@ ALLTACT_WIDE void add_level(int n, float level, float* __restrict value) {
 
 }  // namespace
 
-void add_to_row(const RowView& row, float level) {
-  add_level(row.width, level, row.value);
-}
+void add_to_row(const RowView& row, float level) { add_level(row.width, level, row.value); }
 
-void mark_row(
-    const Camera& camera, const FaceMark& mark, double factor, double level, RowView& row) {
+void mark_row(const Camera& camera, const FaceMark& mark, double factor, double level,
+              RowView& row) {
   const FaceRow& face = row.face;
   const Eigen::Vector2d segment = mark.to_mm - mark.from_mm;
   const double length2 = segment.squaredNorm();
@@ -81,12 +74,12 @@ std::vector<std::size_t> read_marker_numbers(YamlSection& section) {
   std::vector<std::size_t> numbers;
   for (const double given : section.numbers("markers", 1, kMaxMarkers, {-1e6, 1e6})) {
     if (given < 0 || given != std::floor(given))
-      section.refuse(
-          "markers", en::say("{:g} is not a marker number", given), en::say("0, 1, 2, ..."));
+      section.refuse("markers", en::say("{:g} is not a marker number", given),
+                     en::say("0, 1, 2, ..."));
     const auto number = static_cast<std::size_t>(given);
     if (std::find(numbers.begin(), numbers.end(), number) != numbers.end())
-      section.refuse(
-          "markers", en::say("marker {} is listed twice", number), en::say("each number once"));
+      section.refuse("markers", en::say("marker {} is listed twice", number),
+                     en::say("each number once"));
     numbers.push_back(number);
   }
   return numbers;

@@ -175,15 +175,12 @@ class TransportEffect : public Effect {
 
 /// Checks a position on the face, s along it from its base and y across. Error: outside the face. A
 /// flat sensor's face fills the image.
-[[nodiscard]] Status check_position(const SceneFacts& scene,
-                                    const Varying& s_mm,
+[[nodiscard]] Status check_position(const SceneFacts& scene, const Varying& s_mm,
                                     const Varying& y_mm);
 
 /// Checks that a press of given depth lies on the face and does not go through the layer.
-[[nodiscard]] Status check_press(const SceneFacts& scene,
-                                 const Varying& depth_mm,
-                                 const Varying& s_mm,
-                                 const Varying& y_mm);
+[[nodiscard]] Status check_press(const SceneFacts& scene, const Varying& depth_mm,
+                                 const Varying& s_mm, const Varying& y_mm);
 
 struct EffectKind {
   std::string name;
@@ -198,9 +195,7 @@ struct EffectKind {
 
 /// The kind of the effects of class E, which reads its parameters in its constructor.
 template <class E>
-[[nodiscard]] EffectKind effect_kind(std::string name,
-                                     int rank,
-                                     Message sentence,
+[[nodiscard]] EffectKind effect_kind(std::string name, int rank, Message sentence,
                                      std::string_view example,
                                      std::vector<std::string_view> needs = {}) {
   return {std::move(name),
@@ -230,8 +225,8 @@ struct FaceMark {
 /// light = light * (1 + (factor - 1) * part) + level * part, part the share of the pixel within the
 /// mark. It is first order: from the distance to the mark's edge in pixels, from 1/2 outside to 1/2
 /// inside.
-void mark_row(
-    const Camera& camera, const FaceMark& mark, double factor, double level, RowView& row);
+void mark_row(const Camera& camera, const FaceMark& mark, double factor, double level,
+              RowView& row);
 
 // The dots that an effect acts on.
 

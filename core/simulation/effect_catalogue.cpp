@@ -147,8 +147,8 @@ EffectDescription describe(const EffectKind& kind) {
   if (!effect) return {&kind, {}, false, {}};
   EffectDescription description{&kind, kind.sentence, (*effect)->is_repeatable(), {}};
   for (const std::string& key : keys_of(kind, pairs)) {
-    const bool in_example = std::any_of(
-        pairs.begin(), pairs.end(), [&](const auto& pair) { return pair.first == key; });
+    const bool in_example = std::any_of(pairs.begin(), pairs.end(),
+                                        [&](const auto& pair) { return pair.first == key; });
     description.parameters.push_back({key, values_of(kind, pairs, key), in_example});
   }
   return description;
@@ -165,8 +165,8 @@ namespace {
 constexpr int kWidth_px = 960, kHeight_px = 540;
 
 const EffectKind* kind_named(const std::vector<const EffectKind*>& kinds, std::string_view name) {
-  const auto found = std::find_if(
-      kinds.begin(), kinds.end(), [&](const auto* kind) { return kind->name == name; });
+  const auto found = std::find_if(kinds.begin(), kinds.end(),
+                                  [&](const auto* kind) { return kind->name == name; });
   return found == kinds.end() ? nullptr : *found;
 }
 
@@ -204,8 +204,8 @@ std::string example_scene(const std::vector<std::string_view>& kinds, std::strin
   for (const std::string_view name : requested) {
     const EffectKind* kind = kind_named(all, name);
     if (kind == nullptr || !listed.insert(name).second) continue;
-    effects += fmt::format(
-        "  - {{use: {}{}{}}}\n", name, kind->example.empty() ? "" : ", ", kind->example);
+    effects += fmt::format("  - {{use: {}{}{}}}\n", name, kind->example.empty() ? "" : ", ",
+                           kind->example);
   }
   return fmt::format(
       "name: example\nwhy: an effect to look at or to time\nframes: 1000\nfinger:\n"
@@ -214,12 +214,10 @@ std::string example_scene(const std::vector<std::string_view>& kinds, std::strin
       "  markers: {{per_row: 6, polarity: bright}}\n"
       "untouched: {{x_mm: -25, z_mm: 28, incline_deg: 34, length_mm: 116}}\n"
       "{}effects:{}\n{}",
-      kWidth_px,
-      kHeight_px,
+      kWidth_px, kHeight_px,
       listed.contains("sway") || without != "bend" ? "motion: {kind: wander, frames_per_move: 20}\n"
                                                    : "",
-      effects.empty() ? " []" : "",
-      effects);
+      effects.empty() ? " []" : "", effects);
 }
 
 Result<std::vector<EffectCost>> measure_effect_costs(int repetitions, const Job& job) {

@@ -13,23 +13,18 @@ namespace {
 constexpr double kMinCrossing = 0.02;
 
 // Three-point Gauss on [0, 1]; kGaussAt[0] is 1/2 - sqrt(0.15).
-constexpr std::array<double, 3> kGaussAt{
-    0.5 - 0.387298334620741689, 0.5, 0.5 + 0.387298334620741689};
+constexpr std::array<double, 3> kGaussAt{0.5 - 0.387298334620741689, 0.5,
+                                         0.5 + 0.387298334620741689};
 constexpr std::array<double, 3> kGaussWeight{5.0 / 18, 8.0 / 18, 5.0 / 18};
 
 using NodeNumbers = std::array<double, FaceCurve::kCells + 1>;
 
 // The mean cosine and sine of each cell between n + 1 nodes of small angle change, and the maximum
 // change there.
-ALLTACT_WIDE void integrate_cells(int n,
-                                  const double* __restrict theta,
-                                  const double* __restrict theta_s,
-                                  const double* __restrict cos,
-                                  const double* __restrict sin,
-                                  double h,
-                                  double* __restrict x,
-                                  double* __restrict z,
-                                  double* __restrict turn) {
+ALLTACT_WIDE void integrate_cells(int n, const double* __restrict theta,
+                                  const double* __restrict theta_s, const double* __restrict cos,
+                                  const double* __restrict sin, double h, double* __restrict x,
+                                  double* __restrict z, double* __restrict turn) {
   for (int i = 0; i < n; ++i) {
     turn[i] = std::abs(theta[i + 1] - theta[i]) +
               h * (4.0 / 27) * (std::abs(theta_s[i]) + std::abs(theta_s[i + 1]));
@@ -126,15 +121,8 @@ void FaceCurve::integrate() {
     theta_s[i] = node.theta_s;
   }
   std::array<double, kCells> x, z, turn;
-  integrate_cells(kCells,
-                  theta.data(),
-                  theta_s.data(),
-                  cos.data(),
-                  sin.data(),
-                  cell_mm_,
-                  x.data(),
-                  z.data(),
-                  turn.data());
+  integrate_cells(kCells, theta.data(), theta_s.data(), cos.data(), sin.data(), cell_mm_, x.data(),
+                  z.data(), turn.data());
   has_small_turns_ = *std::max_element(turn.begin(), turn.end()) <= kSeriesTurn;
   for (std::size_t i = 0; i < kCells; ++i) {
     const Node& a = nodes_[i];
@@ -266,18 +254,12 @@ std::vector<int> FaceCurve::cells_hit(const std::vector<double>& origin_x_mm,
 namespace {
 
 // The steps of intersect() and at(), for lines whose cells are known.
-ALLTACT_WIDE void intersect_in_cells(int n,
-                                     const FaceCurve::Node* nodes,
-                                     const int* __restrict cells,
-                                     const double* __restrict origins,
-                                     const double* __restrict directions,
-                                     double h,
-                                     double* __restrict s,
-                                     double* __restrict x,
-                                     double* __restrict z,
-                                     double* __restrict x_s,
-                                     double* __restrict z_s,
-                                     double* __restrict shift) {
+ALLTACT_WIDE void intersect_in_cells(int n, const FaceCurve::Node* nodes,
+                                     const int* __restrict cells, const double* __restrict origins,
+                                     const double* __restrict directions, double h,
+                                     double* __restrict s, double* __restrict x,
+                                     double* __restrict z, double* __restrict x_s,
+                                     double* __restrict z_s, double* __restrict shift) {
   for (int i = 0; i < n; ++i) {
     const int cell = std::max(cells[i], 0);
     const FaceCurve::Node &a = nodes[cell], &b = nodes[cell + 1];
@@ -309,18 +291,9 @@ FaceCurve::Intersections FaceCurve::intersect_all(const std::vector<double>& ori
   Intersections m;
   for (auto* numbers : {&m.s_mm, &m.x_mm, &m.z_mm, &m.x_s, &m.z_s, &m.shift_mm}) numbers->resize(n);
   if (is_bent_)
-    intersect_in_cells(static_cast<int>(n),
-                       nodes_.data(),
-                       cells.data(),
-                       origin_x_mm.data(),
-                       direction_x.data(),
-                       cell_mm_,
-                       m.s_mm.data(),
-                       m.x_mm.data(),
-                       m.z_mm.data(),
-                       m.x_s.data(),
-                       m.z_s.data(),
-                       m.shift_mm.data());
+    intersect_in_cells(static_cast<int>(n), nodes_.data(), cells.data(), origin_x_mm.data(),
+                       direction_x.data(), cell_mm_, m.s_mm.data(), m.x_mm.data(), m.z_mm.data(),
+                       m.x_s.data(), m.z_s.data(), m.shift_mm.data());
   for (std::size_t i = 0; i < n; ++i) {
     if (cells[i] >= 0 && m.z_mm[i] > 0) continue;
     const double s = intersect(origin_x_mm[i], direction_x[i]);

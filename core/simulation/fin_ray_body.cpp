@@ -12,22 +12,12 @@ namespace alltact {
 namespace {
 
 // Gauss-Legendre on [0, 1]: 16 points integrate such small bends to rounding.
-constexpr std::array<double, 8> kBodyGaussPoint{0.0950125098376374,
-                                                0.2816035507792589,
-                                                0.4580167776572274,
-                                                0.6178762444026438,
-                                                0.7554044083550030,
-                                                0.8656312023878318,
-                                                0.9445750230732326,
-                                                0.9894009349916499};
-constexpr std::array<double, 8> kBodyGaussWeight{0.1894506104550685,
-                                                 0.1826034150449236,
-                                                 0.1691565193950025,
-                                                 0.1495959888165767,
-                                                 0.1246289712555339,
-                                                 0.0951585116824928,
-                                                 0.0622535239386479,
-                                                 0.0271524594117541};
+constexpr std::array<double, 8> kBodyGaussPoint{
+    0.0950125098376374, 0.2816035507792589, 0.4580167776572274, 0.6178762444026438,
+    0.7554044083550030, 0.8656312023878318, 0.9445750230732326, 0.9894009349916499};
+constexpr std::array<double, 8> kBodyGaussWeight{
+    0.1894506104550685, 0.1826034150449236, 0.1691565193950025, 0.1495959888165767,
+    0.1246289712555339, 0.0951585116824928, 0.0622535239386479, 0.0271524594117541};
 
 template <class Add>
 void for_gauss_points(const Add& add) {
@@ -37,9 +27,7 @@ void for_gauss_points(const Add& add) {
 }
 
 // The slope angle that q1 = 1 and q2 = 1 add at t, times the length.
-Eigen::Vector2d turn_of_bend(double t) {
-  return {2 * t, t * (3 * t - 2)};
-}
+Eigen::Vector2d turn_of_bend(double t) { return {2 * t, t * (3 * t - 2)}; }
 
 struct MaterialPoint {
   double across_mm, out_mm;  // from the view face's middle line, in its section
@@ -71,8 +59,8 @@ struct RestPath {
 
 RestPath rest_path(const FaceCurve& rest, double s_mm) {
   const FaceCurve::Node base = rest.at(0), here = rest.at(s_mm);
-  RestPath path{
-      s_mm, rest.length_mm(), {base.x_mm, here.shift_mm, base.z_mm}, here.theta, here.twist, {}};
+  RestPath path{s_mm,       rest.length_mm(), {base.x_mm, here.shift_mm, base.z_mm},
+                here.theta, here.twist,       {}};
   auto* next = path.path_theta.data();
   for_gauss_points([&](double part, double) { *next++ = rest.at(part * s_mm).theta; });
   return path;
@@ -125,8 +113,7 @@ SurfaceFrame frame_of(const DeformedSection& section, const MaterialPoint& at, P
 }
 
 // d(point)/dq. The section's axes rotate about y with theta and about the tangent with the twist.
-Eigen::Matrix<double, 3, 4> point_q(const DeformedSection& section,
-                                    const MaterialPoint& at,
+Eigen::Matrix<double, 3, 4> point_q(const DeformedSection& section, const MaterialPoint& at,
                                     double t) {
   const Eigen::Vector3d untwisted(-section.along.z(), 0, section.along.x());
   const double out_mm =
@@ -146,8 +133,7 @@ struct PreparedForce {
 };
 
 std::vector<PreparedForce> prepared(std::span<const PointForce> forces,
-                                    const FinRayGeometry& geometry,
-                                    const FaceCurve& rest) {
+                                    const FinRayGeometry& geometry, const FaceCurve& rest) {
   std::vector<PreparedForce> result;
   for (const PointForce& force : forces)
     result.push_back({force, material_point(geometry, force), rest_path(rest, force.s_mm)});
@@ -183,12 +169,8 @@ double relative_size(const BodyModes& q, double length_mm) {
 
 // Solves K (q - before) = weight * share * forces from q on, by Newton's method with numeric
 // derivatives of the forces. False: no solution within the limits; q is unchanged.
-bool find_equilibrium(const Eigen::Matrix4d& stiffness,
-                      const std::vector<PreparedForce>& forces,
-                      double length_mm,
-                      double weight,
-                      const BodyModes& before,
-                      BodyModes& q) {
+bool find_equilibrium(const Eigen::Matrix4d& stiffness, const std::vector<PreparedForce>& forces,
+                      double length_mm, double weight, const BodyModes& before, BodyModes& q) {
   BodyModes x = q;
   for (int i = 0; i < 40; ++i) {
     Eigen::Matrix4d slope = stiffness;
@@ -236,32 +218,25 @@ FinRayBody::FinRayBody(const FinRayGeometry& g, double modulus_MPa)
 }
 
 Result<FinRayBody> FinRayBody::create(const FinRayGeometry& g, double modulus_MPa) {
-  for (const double given : {g.length_mm,
-                             g.width_mm,
-                             g.layer_mm,
-                             g.wall_mm,
-                             g.base_depth_mm,
-                             g.tip_depth_mm,
-                             modulus_MPa})
+  for (const double given : {g.length_mm, g.width_mm, g.layer_mm, g.wall_mm, g.base_depth_mm,
+                             g.tip_depth_mm, modulus_MPa})
     if (!(given > 0 && std::isfinite(given)))
-      return Error{en::say("a body cannot have a modulus or a length of {:g}", given),
-                   "",
+      return Error{en::say("a body cannot have a modulus or a length of {:g}", given), "",
                    en::say("numbers above 0")};
   const double min_mm = std::min(g.base_depth_mm, g.tip_depth_mm);
   if (min_mm < 2 * g.wall_mm)
     return Error{
-        en::say("two walls of {:g} mm do not fit into a depth of {:g} mm", g.wall_mm, min_mm),
-        "",
+        en::say("two walls of {:g} mm do not fit into a depth of {:g} mm", g.wall_mm, min_mm), "",
         en::say("walls of up to {:g} mm", min_mm / 2)};
   if (!(g.coupling >= 0 && g.coupling <= 1))
-    return Error{
-        en::say("a coupling of {:g} is not a fraction", g.coupling), "", en::say("0 to 1")};
+    return Error{en::say("a coupling of {:g} is not a fraction", g.coupling), "",
+                 en::say("0 to 1")};
   return FinRayBody(g, modulus_MPa);
 }
 
 SurfaceFrame PushedFinger::surface(const PointForce& at, const BodyModes& q) const {
-  return frame_of(
-      section_at(rest_path(rest_, at.s_mm), q), material_point(body_.geometry(), at), at.face);
+  return frame_of(section_at(rest_path(rest_, at.s_mm), q), material_point(body_.geometry(), at),
+                  at.face);
 }
 
 BodyModes PushedFinger::generalised_force(std::span<const PointForce> forces,
@@ -270,8 +245,7 @@ BodyModes PushedFinger::generalised_force(std::span<const PointForce> forces,
 }
 
 PushedFinger::Equilibrium PushedFinger::equilibrium(std::span<const PointForce> forces,
-                                                    double weight,
-                                                    const BodyModes& before) const {
+                                                    double weight, const BodyModes& before) const {
   // Large forces are applied in increments, so that Newton's method stays on the branch that starts
   // at rest.
   constexpr double kMinStep = 1.0 / 256, kShareOfLarge = 0.25, kSmallTurn = 0.3;

@@ -92,8 +92,7 @@ class PushedFinger {
   };
   /// The q with K (q - before) = weight * generalised force at q, reached from `before` with
   /// growing forces. (1, 0) is the elastic body at rest; KelvinChain uses other values.
-  [[nodiscard]] Equilibrium equilibrium(std::span<const PointForce> forces,
-                                        double weight = 1,
+  [[nodiscard]] Equilibrium equilibrium(std::span<const PointForce> forces, double weight = 1,
                                         const BodyModes& before = BodyModes::Zero()) const;
 
  private:

@@ -18,18 +18,11 @@ constexpr float kNoEdge = 1e30F;  // half width of a face without edges
 
 // y of the face's points and each pixel's coverage: exact along v, because the edges are straight
 // within a pixel.
-ALLTACT_WIDE void cover_row(int first,
-                            int last,
-                            float origin_y,
-                            float direction_y,
-                            float half_width,
-                            const float* __restrict z,
-                            const float* __restrict shift,
-                            const float* __restrict per_mm,
-                            const float* __restrict end,
-                            float* __restrict y,
-                            float* __restrict coverage,
-                            float* __restrict light) {
+ALLTACT_WIDE void cover_row(int first, int last, float origin_y, float direction_y,
+                            float half_width, const float* __restrict z,
+                            const float* __restrict shift, const float* __restrict per_mm,
+                            const float* __restrict end, float* __restrict y,
+                            float* __restrict coverage, float* __restrict light) {
   for (int u = first; u < last; ++u) {
     y[u] = origin_y + direction_y * z[u];
     const float inside = (half_width - std::abs(y[u] - shift[u])) * per_mm[u] + 0.5F;
@@ -43,11 +36,8 @@ ALLTACT_WIDE void set_all(int n, int value, int* __restrict numbers) {
   for (int i = 0; i < n; ++i) numbers[i] = value;
 }
 
-ALLTACT_WIDE void interpolate(int n,
-                              const int* __restrict cell,
-                              const float* __restrict part,
-                              const float* __restrict table,
-                              float* __restrict out) {
+ALLTACT_WIDE void interpolate(int n, const int* __restrict cell, const float* __restrict part,
+                              const float* __restrict table, float* __restrict out) {
   for (int i = 0; i < n; ++i)
     out[i] = table[cell[i]] + part[i] * (table[cell[i] + 1] - table[cell[i]]);
 }
@@ -59,8 +49,7 @@ void FrameGeometry::Columns::resize(std::size_t n) {
     array->assign(n, 0.0F);
 }
 
-FrameGeometry::FrameGeometry(const PixelRays& rays,
-                             const Face& face,
+FrameGeometry::FrameGeometry(const PixelRays& rays, const Face& face,
                              std::optional<FaceCurve> curve)
     : rays_(rays), face_(face), curve_(std::move(curve)) {
   const cv::Size size = rays.camera().size();
@@ -108,9 +97,7 @@ void FrameGeometry::set_columns(const std::vector<double>& origin_x,
   }
 }
 
-void FrameGeometry::set_column(std::size_t i,
-                               double direction_x,
-                               double s,
+void FrameGeometry::set_column(std::size_t i, double direction_x, double s,
                                const FaceCurve::Node& p) {
   double end = 1;
   if (curve_) {
@@ -184,8 +171,8 @@ void FrameGeometry::fill(RowView& row) const {
   const Surface face = is_column_wise() ? fill_by_columns(row) : fill_by_rays(row);
   if (!layer_changes.empty()) {
     float* luf = row.scratch.floats();
-    std::copy(
-        row.face.luf_mm + row.face.first, row.face.luf_mm + row.face.last, luf + row.face.first);
+    std::copy(row.face.luf_mm + row.face.first, row.face.luf_mm + row.face.last,
+              luf + row.face.first);
     for (const auto& change : layer_changes) change(row.face, row.scratch, luf);
     row.face.luf_mm = luf;
   }
@@ -241,18 +228,9 @@ void FrameGeometry::fill_linear(RowView& row, float* light) const {
   face.s_mm = columns_.s.data();
   face.coverage = coverage;
   const PixelRays::RowRay ray = rays_.row_ray(row.v);
-  cover_row(face.first,
-            face.last,
-            ray.origin_y,
-            ray.direction_y,
-            curve_ ? static_cast<float>(face_.width_mm / 2) : kNoEdge,
-            columns_.z.data(),
-            columns_.shift.data(),
-            columns_.per_mm.data(),
-            columns_.end.data(),
-            y,
-            coverage,
-            light);
+  cover_row(face.first, face.last, ray.origin_y, ray.direction_y,
+            curve_ ? static_cast<float>(face_.width_mm / 2) : kNoEdge, columns_.z.data(),
+            columns_.shift.data(), columns_.per_mm.data(), columns_.end.data(), y, coverage, light);
 }
 
 void FrameGeometry::fill_by_table(RowView& row, float* light) const {
@@ -360,11 +338,11 @@ void sample_bodies(FrameGeometry& geometry) {
 
 void pad_grid(SampledPress& press, int steps) {
   cv::Mat_<float> depth;
-  cv::copyMakeBorder(
-      press.depth_mm, depth, steps, steps, steps, steps, cv::BORDER_CONSTANT, cv::Scalar(0));
+  cv::copyMakeBorder(press.depth_mm, depth, steps, steps, steps, steps, cv::BORDER_CONSTANT,
+                     cv::Scalar(0));
   cv::Mat_<std::uint8_t> in_contact;
-  cv::copyMakeBorder(
-      press.in_contact, in_contact, steps, steps, steps, steps, cv::BORDER_CONSTANT, cv::Scalar(0));
+  cv::copyMakeBorder(press.in_contact, in_contact, steps, steps, steps, steps, cv::BORDER_CONSTANT,
+                     cv::Scalar(0));
   press.depth_mm = depth;
   press.in_contact = in_contact;
 }
@@ -384,8 +362,7 @@ double twisted_t0_mm(const FaceCurve::Node& p, double across_mm, double layer_mm
 
 }  // namespace
 
-FrameGeometry::BodyPoint FrameGeometry::body_point(double s_mm,
-                                                   double across_mm,
+FrameGeometry::BodyPoint FrameGeometry::body_point(double s_mm, double across_mm,
                                                    double behind_mm) const {
   if (!curve_)
     return {{s_mm, across_mm, face_.plane_z_mm - behind_mm},
@@ -486,9 +463,7 @@ struct FaceArrays {
   }
 };
 
-double share(double inside_px) {
-  return std::clamp(inside_px + 0.5, 0.0, 1.0);
-}
+double share(double inside_px) { return std::clamp(inside_px + 0.5, 0.0, 1.0); }
 
 }  // namespace
 
@@ -531,17 +506,8 @@ Surface FrameGeometry::fill_by_rays(RowView& row) const {
     const double r_per_px = std::abs(here.r_by(ray, rays_.below(u, row.v)));
     arrays.coverage[u] = static_cast<float>(share(ends / s_per_px) * share(edges / r_per_px));
   }
-  row.face = {0,
-              row.width,
-              arrays.x,
-              arrays.y,
-              arrays.z,
-              arrays.normal_x,
-              arrays.cos,
-              arrays.luf,
-              arrays.shift,
-              arrays.s,
-              arrays.coverage};
+  row.face = {0,          row.width,  arrays.x,     arrays.y, arrays.z,       arrays.normal_x,
+              arrays.cos, arrays.luf, arrays.shift, arrays.s, arrays.coverage};
   return {0,
           row.width,
           arrays.x,

@@ -16,8 +16,7 @@ struct VisiblePolygon {
   std::size_t n = 0;
 };
 
-VisiblePolygon clip_to_plane(const Eigen::Vector3d& point,
-                             const Eigen::Vector3d& normal,
+VisiblePolygon clip_to_plane(const Eigen::Vector3d& point, const Eigen::Vector3d& normal,
                              const Quadrilateral& corners) {
   std::array<Eigen::Vector3d, 4> to_corner;
   std::array<double, 4> height{};
@@ -38,8 +37,7 @@ VisiblePolygon clip_to_plane(const Eigen::Vector3d& point,
 
 }  // namespace
 
-double form_factor(const Eigen::Vector3d& point,
-                   const Eigen::Vector3d& normal,
+double form_factor(const Eigen::Vector3d& point, const Eigen::Vector3d& normal,
                    const Quadrilateral& corners) {
   const VisiblePolygon visible = clip_to_plane(point, normal, corners);
   if (visible.n < 3) return 0;

@@ -49,8 +49,7 @@ using Quadrilateral = std::array<Eigen::Vector3d, 4>;
 /// 1760; used for radiosity by D. Baum, H. Rushmeier and J. Winget, SIGGRAPH 1989). It is exact at
 /// any distance. The part behind the point's own plane is clipped. Corners run counter-clockwise as
 /// viewed from the lit side; from behind it is 0. Any unit of length.
-[[nodiscard]] double form_factor(const Eigen::Vector3d& point,
-                                 const Eigen::Vector3d& normal,
+[[nodiscard]] double form_factor(const Eigen::Vector3d& point, const Eigen::Vector3d& normal,
                                  const Quadrilateral& corners);
 
 // Reflectance of a translucent layer on its coat.

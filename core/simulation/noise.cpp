@@ -47,12 +47,8 @@ const float* quantiles() {
 }
 
 // Philox for kLanes counters that differ in their first word. Bitwise equal to philox().
-ALLTACT_WIDE void philox_lanes(std::uint32_t first,
-                               std::uint32_t c1,
-                               std::uint32_t c2,
-                               std::uint32_t c3,
-                               std::uint32_t k0,
-                               std::uint32_t k1,
+ALLTACT_WIDE void philox_lanes(std::uint32_t first, std::uint32_t c1, std::uint32_t c2,
+                               std::uint32_t c3, std::uint32_t k0, std::uint32_t k1,
                                std::uint32_t* __restrict bits) {
   std::uint32_t a[kLanes], b[kLanes], c[kLanes], d[kLanes];
   for (std::uint32_t i = 0; i < kLanes; ++i) {
@@ -83,20 +79,15 @@ ALLTACT_WIDE void philox_lanes(std::uint32_t first,
 
 }  // namespace
 
-RowNoise::RowNoise(std::string_view stream) : stream_(fnv1a(stream)) {
-  quantiles();
-}
+RowNoise::RowNoise(std::string_view stream) : stream_(fnv1a(stream)) { quantiles(); }
 
 void RowNoise::normals(std::uint64_t seed, int frame, int row, int n, float* out) const {
   const float* table = quantiles();
   std::array<std::uint32_t, 4 * kLanes> bits;
   for (int at = 0; at < n; at += kLanes * kPixelsPerCounter) {
     philox_lanes(static_cast<std::uint32_t>(at / kPixelsPerCounter),
-                 static_cast<std::uint32_t>(row),
-                 static_cast<std::uint32_t>(frame),
-                 static_cast<std::uint32_t>(seed >> 32),
-                 static_cast<std::uint32_t>(seed),
-                 stream_,
+                 static_cast<std::uint32_t>(row), static_cast<std::uint32_t>(frame),
+                 static_cast<std::uint32_t>(seed >> 32), static_cast<std::uint32_t>(seed), stream_,
                  bits.data());
     const int count = std::min(kLanes * kPixelsPerCounter, n - at);
     for (int i = 0; i < count; ++i) {

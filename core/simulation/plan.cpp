@@ -20,12 +20,8 @@ FramePlan::FramePlan(const Scene& scene, std::uint64_t seed, int frame) {
     const auto add = [&]<class E>(std::vector<Step<E>>& steps) {
       steps.push_back({&named,
                        static_cast<const E*>(named.effect.get()),
-                       {seed ^ named.stream,
-                        frame,
-                        scene.motion,
-                        scene.finger,
-                        scene.time.frames_per_s,
-                        seed}});
+                       {seed ^ named.stream, frame, scene.motion, scene.finger,
+                        scene.time.frames_per_s, seed}});
       ++build_count().steps;
     };
     switch (named.kind->stage) {
@@ -57,8 +53,8 @@ void FramePlan::move_to(double frame_offset) {
 }
 
 SceneFacts FramePlan::facts(const Scene& scene) const {
-  SceneFacts facts{
-      scene.finger, scene.length_mm, {}, scene.time.frames_per_s, 0, false, false, nullptr};
+  SceneFacts facts{scene.finger, scene.length_mm, {},     scene.time.frames_per_s, 0,
+                   false,        false,           nullptr};
   for (const auto* named : effects()) {
     facts.named.push_back(named->kind->name);
     facts.lamp_count += named->effect->lamp_count();
@@ -84,10 +80,8 @@ constexpr float kOff = std::numeric_limits<float>::quiet_NaN();
 constexpr float kSlopeStep_mm = 0.02F;  // step of the differences for a pressed face's slopes
 
 // Press depth in the columns of a row where something may press, `step_mm` further along an axis.
-std::vector<float> shifted_depth(const FrameGeometry& geometry,
-                                 const RowView& row,
-                                 const std::vector<Eigen::Vector2f>& luf_slopes,
-                                 std::size_t axis,
+std::vector<float> shifted_depth(const FrameGeometry& geometry, const RowView& row,
+                                 const std::vector<Eigen::Vector2f>& luf_slopes, std::size_t axis,
                                  float step_mm) {
   const FaceRow& here = row.face;
   const auto copied = [&](const float* values) {
@@ -117,10 +111,8 @@ std::vector<float> shifted_depth(const FrameGeometry& geometry,
 }
 
 // d(depth)/dx (axis 0) or d(depth)/dy (1) in those columns, by differences.
-std::vector<float> depth_slopes(const FrameGeometry& geometry,
-                                const RowView& row,
-                                const std::vector<Eigen::Vector2f>& luf_slopes,
-                                std::size_t axis) {
+std::vector<float> depth_slopes(const FrameGeometry& geometry, const RowView& row,
+                                const std::vector<Eigen::Vector2f>& luf_slopes, std::size_t axis) {
   const auto ahead = shifted_depth(geometry, row, luf_slopes, axis, kSlopeStep_mm);
   std::vector<float> slope = shifted_depth(geometry, row, luf_slopes, axis, -kSlopeStep_mm);
   for (std::size_t u = 0; u < slope.size(); ++u)
@@ -244,24 +236,16 @@ void mark_dots(const FrameGeometry& geometry, cv::Mat& labels) {
 
 using RadianceRows = std::vector<RadianceEffect::Rows>;
 
-ALLTACT_WIDE void set_light(int first,
-                            int last,
-                            const float* __restrict coverage,
-                            const float* __restrict light,
-                            float* __restrict value) {
+ALLTACT_WIDE void set_light(int first, int last, const float* __restrict coverage,
+                            const float* __restrict light, float* __restrict value) {
   for (int u = first; u < last; ++u) value[u] = coverage[u] * light[u];
 }
-ALLTACT_WIDE void cover_light(int first,
-                              int last,
-                              const float* __restrict coverage,
+ALLTACT_WIDE void cover_light(int first, int last, const float* __restrict coverage,
                               float* __restrict light) {
   for (int u = first; u < last; ++u) light[u] *= coverage[u];
 }
-ALLTACT_WIDE void add_light(int first,
-                            int last,
-                            const float* __restrict coverage,
-                            const float* __restrict light,
-                            float* __restrict value) {
+ALLTACT_WIDE void add_light(int first, int last, const float* __restrict coverage,
+                            const float* __restrict light, float* __restrict value) {
   for (int u = first; u < last; ++u) value[u] += coverage[u] * light[u];
 }
 
@@ -321,18 +305,12 @@ struct Plan::State {
   [[nodiscard]] Status check();
   [[nodiscard]] Status check(const FramePlan& plan, Frames frames) const;
   [[nodiscard]] FrameGeometry geometry_of(const FramePlan& plan) const;
-  void render_rows(const FramePlan& plan,
-                   const FrameGeometry& geometry,
-                   const RadianceRows& light,
-                   int first,
-                   int last,
-                   cv::Mat& image) const;
-  [[nodiscard]] cv::Mat light_before_sensor(const FramePlan& plan,
-                                            const FrameGeometry& geometry,
+  void render_rows(const FramePlan& plan, const FrameGeometry& geometry, const RadianceRows& light,
+                   int first, int last, cv::Mat& image) const;
+  [[nodiscard]] cv::Mat light_before_sensor(const FramePlan& plan, const FrameGeometry& geometry,
                                             TruthMaps& maps) const;
   void render_light(FramePlan plan, int first, int last, cv::Mat_<float>& grey) const;
-  [[nodiscard]] cv::Mat render_multi_pass(const FramePlan& plan,
-                                          const FrameGeometry& geometry,
+  [[nodiscard]] cv::Mat render_multi_pass(const FramePlan& plan, const FrameGeometry& geometry,
                                           int threads) const;
 };
 
@@ -368,8 +346,7 @@ Status Plan::State::check(const FramePlan& plan, Frames frames) const {
     const Message& what = status.error().what;
     const bool in_all = frames.first == 0 && frames.last == scene.time.frames - 1;
     return Error{in_all ? what : en::say("{}, in frames {} to {}", what, frames.first, frames.last),
-                 named->where,
-                 status.error().advice};
+                 named->where, status.error().advice};
   }
   return {};
 }
@@ -393,11 +370,8 @@ FrameGeometry Plan::State::geometry_of(const FramePlan& plan) const {
   return result;
 }
 
-void Plan::State::render_rows(const FramePlan& plan,
-                              const FrameGeometry& geometry_now,
-                              const RadianceRows& light,
-                              int first,
-                              int last,
+void Plan::State::render_rows(const FramePlan& plan, const FrameGeometry& geometry_now,
+                              const RadianceRows& light, int first, int last,
                               cv::Mat& image) const {
   const bool outputs_bytes = plan.outputs_bytes();
   RowScratch scratch(image.cols);
@@ -421,8 +395,7 @@ void Plan::State::render_rows(const FramePlan& plan,
 }
 
 // At the frame's own time. Marks the visible surfaces other than the face in `maps`.
-cv::Mat Plan::State::light_before_sensor(const FramePlan& plan,
-                                         const FrameGeometry& geometry_now,
+cv::Mat Plan::State::light_before_sensor(const FramePlan& plan, const FrameGeometry& geometry_now,
                                          TruthMaps& maps) const {
   const RadianceRows light = light_of(plan, geometry_now);
   cv::Mat_<float> grey(rays.camera().size());
@@ -474,13 +447,12 @@ void Plan::State::render_light(FramePlan plan, int first, int last, cv::Mat_<flo
   }
 }
 
-cv::Mat Plan::State::render_multi_pass(const FramePlan& plan,
-                                       const FrameGeometry& geometry_now,
+cv::Mat Plan::State::render_multi_pass(const FramePlan& plan, const FrameGeometry& geometry_now,
                                        int threads) const {
   const cv::Size size = rays.camera().size();
   cv::Mat_<float> grey = cv::Mat_<float>::zeros(size);
-  parallel_for(
-      size.height, threads, [&](int first, int last) { render_light(plan, first, last, grey); });
+  parallel_for(size.height, threads,
+               [&](int first, int last) { render_light(plan, first, last, grey); });
   cv::Mat bytes;
   if (plan.outputs_bytes()) bytes.create(size, CV_8UC1);
   for (auto from = plan.sensor.begin();;) {
@@ -495,8 +467,8 @@ cv::Mat Plan::State::render_multi_pass(const FramePlan& plan,
         row.v = v;
         row.value = grey[v];
         row.bytes = plan.outputs_bytes() ? bytes.ptr<std::uint8_t>(v) : nullptr;
-        std::for_each(
-            from, full_image, [&](const auto& step) { step.effect->row(step.context, row); });
+        std::for_each(from, full_image,
+                      [&](const auto& step) { step.effect->row(step.context, row); });
       }
     });
     if (full_image == plan.sensor.end()) break;
@@ -509,8 +481,7 @@ cv::Mat Plan::State::render_multi_pass(const FramePlan& plan,
 Result<Plan> Plan::compile(const Scene& scene, std::uint64_t seed) {
   auto camera = Camera::create(scene.finger.camera);
   if (!camera)
-    return Error{camera.error().what,
-                 en::say("scene '{}': finger.camera", scene.name),
+    return Error{camera.error().what, en::say("scene '{}': finger.camera", scene.name),
                  camera.error().advice};
   // A recording and the press compared with it must not share noise.
   seed ^= std::uint64_t{fnv1a(scene.name)} << 32;
@@ -521,15 +492,9 @@ Result<Plan> Plan::compile(const Scene& scene, std::uint64_t seed) {
   return plan;
 }
 
-int Plan::frame_count() const {
-  return state_->scene.time.frames;
-}
-double Plan::frames_per_s() const {
-  return state_->scene.time.frames_per_s;
-}
-const Finger& Plan::finger() const {
-  return state_->scene.finger;
-}
+int Plan::frame_count() const { return state_->scene.time.frames; }
+double Plan::frames_per_s() const { return state_->scene.time.frames_per_s; }
+const Finger& Plan::finger() const { return state_->scene.finger; }
 
 std::vector<std::string> Plan::effects() const {
   std::vector<std::string> names;
@@ -555,18 +520,14 @@ Status Plan::check_grey_levels(const std::string& scene_file) const {
   if (!state_->without_bytes) return {};
   const auto [first, last] = *state_->without_bytes;
   if (first == 0 && last == frame_count() - 1)
-    return Error{en::say("its camera does not deliver integer grey levels"),
-                 scene_file,
+    return Error{en::say("its camera does not deliver integer grey levels"), scene_file,
                  en::say("add the effect quantisation")};
   return Error{
       en::say("its camera does not deliver integer grey levels in frames {} to {}", first, last),
-      scene_file,
-      en::say("add the effect quantisation for all frames")};
+      scene_file, en::say("add the effect quantisation for all frames")};
 }
 
-cv::Mat Plan::render(int frame, int threads) const {
-  return send(frame, threads).grey;
-}
+cv::Mat Plan::render(int frame, int threads) const { return send(frame, threads).grey; }
 
 Arrival Plan::arrival(int frame) const {
   Arrival arrival;

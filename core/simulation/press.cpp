@@ -103,9 +103,7 @@ BallPress make_ball_press(const PressPose& pose, double radius_mm) {
   return press;
 }
 
-double BodyPress::reach_mm() const {
-  return body->reach_mm();
-}
+double BodyPress::reach_mm() const { return body->reach_mm(); }
 
 double SampledPress::reach_mm() const {
   return 0.5 * step_mm * std::hypot(depth_mm.cols, depth_mm.rows);
@@ -123,8 +121,8 @@ void press_row(const BodyPress& press, const FaceRow& face, int first, int last,
       depth_mm[u] = combined(depth_mm[u], static_cast<float>(body_depth(press, luf_of(face, u))));
 }
 
-void press_row(
-    const SampledPress& press, const FaceRow& face, int first, int last, float* depth_mm) {
+void press_row(const SampledPress& press, const FaceRow& face, int first, int last,
+               float* depth_mm) {
   const cv::Mat_<float>& grid = press.depth_mm;
   for (int u = first; u < last; ++u) {
     if (face.coverage[u] <= 0) continue;
@@ -165,8 +163,7 @@ constexpr int kHalvings = 44;
 constexpr int kSupportSteps = 256;
 
 // Searches along the line over (x, y), by the height above the object's lowest plane.
-double lowest_z_mm(const HeightField& body,
-                   const Eigen::Isometry3d& object_from_camera,
+double lowest_z_mm(const HeightField& body, const Eigen::Isometry3d& object_from_camera,
                    const Eigen::Vector3d& at_mm) {
   const Eigen::Vector3d up = object_from_camera.linear().col(2);  // the camera's z
   if (up.z() < kMinPressUpright) return HeightField::kNothing_mm;
@@ -207,8 +204,8 @@ double lowest_z_mm(const HeightField& body,
 }  // namespace
 
 PosedBody HeightField::posed(const Eigen::Isometry3d& camera_from_object) const {
-  return [this, object_from_camera = camera_from_object.inverse()](
-             double x_mm, double y_mm, double below_mm) {
+  return [this, object_from_camera = camera_from_object.inverse()](double x_mm, double y_mm,
+                                                                   double below_mm) {
     return lowest_z_mm(*this, object_from_camera, {x_mm, y_mm, below_mm});
   };
 }

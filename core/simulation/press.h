@@ -105,8 +105,8 @@ struct SampledPress {
 /// depth wins over bulges. `depth_mm` covers [first, last).
 void press_row(const BallPress& press, const FaceRow& face, int first, int last, float* depth_mm);
 void press_row(const BodyPress& press, const FaceRow& face, int first, int last, float* depth_mm);
-void press_row(
-    const SampledPress& press, const FaceRow& face, int first, int last, float* depth_mm);
+void press_row(const SampledPress& press, const FaceRow& face, int first, int last,
+               float* depth_mm);
 
 /// True: at column `u` the face follows the pressing object, or would if it were less stiff.
 [[nodiscard]] bool is_in_contact(const BallPress& press, const FaceRow& face, int u);
@@ -131,8 +131,7 @@ class HeightField final : public Body {
   /// gap_mm(x, y): height of the underside over (x, y), 0 or more; kNothing_mm where there is none.
   /// finest_mm: detail thinner than this may be missed when it is viewed at a slant.
   HeightField(std::function<double(double x_mm, double y_mm)> gap_mm,
-              const Eigen::Vector2d& half_size_mm,
-              double finest_mm = 0.02)
+              const Eigen::Vector2d& half_size_mm, double finest_mm = 0.02)
       : gap_mm_(std::move(gap_mm)), half_size_mm_(half_size_mm), finest_mm_(finest_mm) {}
 
   [[nodiscard]] double gap_mm(double x_mm, double y_mm) const { return gap_mm_(x_mm, y_mm); }

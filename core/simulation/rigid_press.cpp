@@ -5,9 +5,7 @@
 namespace alltact {
 namespace {
 
-double radians(double degrees) {
-  return degrees * std::numbers::pi / 180;
-}
+double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
 }  // namespace
 

@@ -14,9 +14,7 @@ constexpr int kParts = 48;  // of the curve and an eighth beyond either end, sea
 
 }  // namespace
 
-RuledSurface RuledSurface::view_face(const FaceCurve& curve) {
-  return {curve, Line::kAcross, 0};
-}
+RuledSurface RuledSurface::view_face(const FaceCurve& curve) { return {curve, Line::kAcross, 0}; }
 
 RuledSurface RuledSurface::side_face(const FaceCurve& curve, int side, double width_mm) {
   return {curve, Line::kBack, side * width_mm / 2};
@@ -242,9 +240,7 @@ void RuledSurface::IntersectionRow::set(std::size_t i, const Intersection& inter
 /// Fills a IntersectionRow, run by run of the requested rays.
 class RuledSurface::RowSearch {
  public:
-  RowSearch(const RuledSurface& surface,
-            const std::vector<Ray>& rays,
-            const float* near_s_mm,
+  RowSearch(const RuledSurface& surface, const std::vector<Ray>& rays, const float* near_s_mm,
             IntersectionRow& found)
       : surface_(surface), rays_(rays), near_s_mm_(near_s_mm), found_(found) {
     const FaceCurve& curve = *surface.curve_;
@@ -304,14 +300,11 @@ class RuledSurface::RowSearch {
     }
   }
 
-  void begin_between(std::size_t from,
-                     const std::optional<Intersection>& a,
-                     std::size_t to,
+  void begin_between(std::size_t from, const std::optional<Intersection>& a, std::size_t to,
                      const std::optional<Intersection>& b) {
     if (!a || !b) {
       std::fill(start_mm_.begin() + static_cast<std::ptrdiff_t>(from) + 1,
-                start_mm_.begin() + static_cast<std::ptrdiff_t>(to),
-                kUnknown_mm);
+                start_mm_.begin() + static_cast<std::ptrdiff_t>(to), kUnknown_mm);
       return;
     }
     const auto h = static_cast<double>(to - from);
@@ -325,31 +318,18 @@ class RuledSurface::RowSearch {
     const auto out = [&](int number) { return found_.row(number) + first; };
     const FaceCurve& curve = *surface_.curve_;
     const bool is_across = surface_.line_ == Line::kAcross;
-    intersect_stretch(static_cast<int>(last - first),
-                      {curve.nodes().data(),
-                       curve.s_mm(1),
-                       curve.length_mm(),
-                       surface_.offset_mm_,
-                       is_across ? 1.0 : 0.0,
-                       is_across ? 0.0 : -1.0},
-                      {origin_x_.data() + first,
-                       origin_y_.data() + first,
-                       direction_x_.data() + first,
-                       direction_y_.data() + first,
-                       start_mm_.data() + first,
-                       out(IntersectionRow::kS),
-                       out(IntersectionRow::kR),
-                       out(IntersectionRow::kZ),
-                       out(IntersectionRow::kPointS),
-                       out(IntersectionRow::kPointS + 1),
-                       out(IntersectionRow::kPointS + 2),
-                       out(IntersectionRow::kPointR),
-                       out(IntersectionRow::kPointR + 1),
-                       out(IntersectionRow::kPointR + 2),
-                       out(IntersectionRow::kNormal),
-                       out(IntersectionRow::kNormal + 1),
-                       out(IntersectionRow::kNormal + 2),
-                       good_.data() + first});
+    intersect_stretch(
+        static_cast<int>(last - first),
+        {curve.nodes().data(), curve.s_mm(1), curve.length_mm(), surface_.offset_mm_,
+         is_across ? 1.0 : 0.0, is_across ? 0.0 : -1.0},
+        {origin_x_.data() + first, origin_y_.data() + first, direction_x_.data() + first,
+         direction_y_.data() + first, start_mm_.data() + first, out(IntersectionRow::kS),
+         out(IntersectionRow::kR), out(IntersectionRow::kZ), out(IntersectionRow::kPointS),
+         out(IntersectionRow::kPointS + 1), out(IntersectionRow::kPointS + 2),
+         out(IntersectionRow::kPointR), out(IntersectionRow::kPointR + 1),
+         out(IntersectionRow::kPointR + 2), out(IntersectionRow::kNormal),
+         out(IntersectionRow::kNormal + 1), out(IntersectionRow::kNormal + 2),
+         good_.data() + first});
     for (std::size_t i = first; i < last; ++i)
       if (start_mm_[i] == kUnknown_mm) good_[i] = 0;
   }

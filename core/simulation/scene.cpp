@@ -20,8 +20,8 @@ CameraParameters read_camera(YamlSection section) {
   const auto size = section.numbers("size", 2, 2, {16, 16384});
   for (const double length : size)
     if (length != std::floor(length))
-      section.refuse(
-          "size", en::say("this is not [width, height]"), en::say("integers from 16 to 16384"));
+      section.refuse("size", en::say("this is not [width, height]"),
+                     en::say("integers from 16 to 16384"));
   camera.width_px = static_cast<int>(size[0]);
   camera.height_px = static_cast<int>(size[1]);
   camera.cx_px = section.number("cx", {-1e5, 1e5});
@@ -86,11 +86,10 @@ void check_single(const YamlSection& section, const SceneEffect& named, const Sc
     const int first = std::max(named.presence.first, other.presence.first);
     const int end = std::min(named.presence.end, other.presence.end);
     if (first == 0 && end == scene.time.frames)
-      section.refuse(
-          "use", en::say("the effect '{}' is listed twice", use), en::say("remove one of them"));
+      section.refuse("use", en::say("the effect '{}' is listed twice", use),
+                     en::say("remove one of them"));
     section.refuse(
-        "use",
-        en::say("the effect '{}' is listed twice for frames {} to {}", use, first, end - 1),
+        "use", en::say("the effect '{}' is listed twice for frames {} to {}", use, first, end - 1),
         en::say("end one with 'until' before the other begins with 'from'"));
   }
 }
@@ -118,8 +117,7 @@ void read_effects(YamlSection& top, Scene& scene) {
     check_single(section, named, scene);
     if (named.effect->changes_lens()) {
       if (named.presence.first > 0 || named.presence.end < scene.time.frames)
-        section.refuse("use",
-                       en::say("a lens does not change over time"),
+        section.refuse("use", en::say("a lens does not change over time"),
                        en::say("leave 'from' and 'until' out"));
       named.effect->change_lens(scene.finger.camera);
       if (const auto made = Camera::create(scene.finger.camera); !made)

@@ -38,8 +38,7 @@ double SceneTime::point(YamlSection& section, const std::string& key) const {
   const auto [end, status] = std::from_chars(number.data(), number.data() + number.size(), value);
   if (status != std::errc{} || end != number.data() + number.size() ||
       !(value >= 0 && value <= kLatest))
-    section.refuse(key,
-                   en::say("must be a point in time, not '{}'", printable(text)),
+    section.refuse(key, en::say("must be a point in time, not '{}'", printable(text)),
                    en::say("a frame such as 60, or seconds such as 2 s"));
   return in_seconds ? value * frames_per_s : value;
 }
@@ -49,16 +48,14 @@ Presence Presence::read(YamlSection& effect, const SceneTime& time) {
   if (effect.has("from")) {
     presence.first = frame_from(time.point(effect, "from"), time);
     if (presence.first >= time.frames)
-      effect.refuse("from",
-                    en::say("the scene ends before that"),
+      effect.refuse("from", en::say("the scene ends before that"),
                     en::say("one of its frames, 0 to {}", time.frames - 1));
   }
   if (effect.has("until")) {
     presence.end = frame_from(time.point(effect, "until"), time);
     if (presence.end <= presence.first)
       effect.refuse(
-          "until",
-          en::say("it would never be active, for it begins with frame {}", presence.first),
+          "until", en::say("it would never be active, for it begins with frame {}", presence.first),
           en::say("a later frame, or leave the effect out"));
   }
   return presence;
@@ -93,22 +90,19 @@ void Varying::read_key_frames(YamlSection& section, const std::string& key, Limi
     values_.push_back(given.number("is", limits));
     const bool is_smooth = given.has("by") && given.choice("by", {"straight", "smooth"}) == 1;
     if (!key_frames_.empty() && at == key_frames_.back().at)
-      given.refuse("at",
-                   en::say("the key frame before it has the same time"),
+      given.refuse("at", en::say("the key frame before it has the same time"),
                    en::say("a later time, or leave one of the two out"));
     if (!key_frames_.empty() && at < key_frames_.back().at)
-      given.refuse("at",
-                   en::say("the key frame before it has a later time"),
+      given.refuse("at", en::say("the key frame before it has a later time"),
                    en::say("key frames in order of time"));
     key_frames_.push_back({at, is_smooth});
   }
 }
 
 double Varying::between_key_frames(double frame) const {
-  const auto next = std::upper_bound(
-      key_frames_.begin(), key_frames_.end(), frame, [](double f, const KeyFrame& key_frame) {
-        return f < key_frame.at;
-      });
+  const auto next =
+      std::upper_bound(key_frames_.begin(), key_frames_.end(), frame,
+                       [](double f, const KeyFrame& key_frame) { return f < key_frame.at; });
   const auto i = static_cast<std::size_t>(next - key_frames_.begin());
   if (i == 0) return values_.front();
   if (i == key_frames_.size()) return values_.back();
@@ -117,9 +111,7 @@ double Varying::between_key_frames(double frame) const {
   return values_[i - 1] + (values_[i] - values_[i - 1]) * share;
 }
 
-Varying Varying::read_or(YamlSection& section,
-                         const std::string& key,
-                         double otherwise,
+Varying Varying::read_or(YamlSection& section, const std::string& key, double otherwise,
                          Limits limits) {
   return section.has(key) ? read(section, key, limits) : Varying(otherwise);
 }
@@ -131,15 +123,10 @@ double Varying::at(std::uint64_t seed, int frame) const {
                           philox_uniform(seed, stream_, static_cast<std::uint32_t>(frame), 0);
 }
 
-double Varying::min_value() const {
-  return *std::min_element(values_.begin(), values_.end());
-}
-double Varying::max_value() const {
-  return *std::max_element(values_.begin(), values_.end());
-}
+double Varying::min_value() const { return *std::min_element(values_.begin(), values_.end()); }
+double Varying::max_value() const { return *std::max_element(values_.begin(), values_.end()); }
 
-DegreeOfFreedom DegreeOfFreedom::read(YamlSection& section,
-                                      const std::string& name,
+DegreeOfFreedom DegreeOfFreedom::read(YamlSection& section, const std::string& name,
                                       Limits limits) {
   YamlSection ends = section.section(name);
   const double from = ends.number("from", limits), to = ends.number("to", limits);
@@ -234,24 +221,20 @@ double Motion::value(const DegreeOfFreedom& dof, std::uint64_t seed, int frame) 
   return found == pose.end() ? 0.0 : found->second;
 }
 
-Status Motion::validate(const std::vector<DegreeOfFreedom>& dofs,
-                        const std::string& name,
-                        double min_value,
-                        double max_value) const {
-  const auto dof = std::find_if(
-      dofs.begin(), dofs.end(), [&](const DegreeOfFreedom& one) { return one.name == name; });
+Status Motion::validate(const std::vector<DegreeOfFreedom>& dofs, const std::string& name,
+                        double min_value, double max_value) const {
+  const auto dof = std::find_if(dofs.begin(), dofs.end(),
+                                [&](const DegreeOfFreedom& one) { return one.name == name; });
   if (dof == dofs.end()) {
     std::vector<std::string> names;
     for (const auto& one : dofs) names.push_back(one.name);
     return Error{
-        en::say("the motion moves '{}', but the scene has no such effect", name),
-        where_,
+        en::say("the motion moves '{}', but the scene has no such effect", name), where_,
         names.empty() ? en::say("add `bend` or `sway` to the effects") : one_of(names, name)};
   }
   for (const double value : {min_value, max_value})
     if (value < dof->low || value > dof->high)
-      return Error{en::say("{} = {:g} is outside the effect's range", name, value),
-                   where_,
+      return Error{en::say("{} = {:g} is outside the effect's range", name, value), where_,
                    en::say("{:g} to {:g}", dof->low, dof->high)};
   return {};
 }
@@ -265,8 +248,7 @@ Status Motion::validate(const std::vector<DegreeOfFreedom>& dofs) const {
       return status;
   const bool moves_all = kind_ == Kind::kRandom || kind_ == Kind::kWander;
   if (moves_all && dofs.empty())
-    return Error{en::say("the motion has nothing to move"),
-                 where_,
+    return Error{en::say("the motion has nothing to move"), where_,
                  en::say("add `bend` or `sway` to the effects, or leave the motion out")};
   return {};
 }

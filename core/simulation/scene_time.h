@@ -57,9 +57,7 @@ class Varying {
   /// For YamlFile::read(), with every value within the limits.
   static Varying read(YamlSection& section, const std::string& key, Limits limits);
   /// The same, or a constant where the key is absent.
-  static Varying read_or(YamlSection& section,
-                         const std::string& key,
-                         double otherwise,
+  static Varying read_or(YamlSection& section, const std::string& key, double otherwise,
                          Limits limits);
 
   [[nodiscard]] double at(std::uint64_t seed, int frame) const;
@@ -92,9 +90,7 @@ struct DegreeOfFreedom {
 };
 
 /// For strengths: 0 is refused with a message, since an absent effect is left out of the scene.
-[[nodiscard]] constexpr Limits strength_up_to(double high) {
-  return {0, high, true, false, true};
-}
+[[nodiscard]] constexpr Limits strength_up_to(double high) { return {0, high, true, false, true}; }
 
 // The motion of a simulated finger from frame to frame.
 
@@ -119,10 +115,8 @@ class Motion {
 
  private:
   enum class Kind { kPath = 1, kPoses, kRandom, kWander };
-  [[nodiscard]] Status validate(const std::vector<DegreeOfFreedom>& dofs,
-                                const std::string& name,
-                                double min_value,
-                                double max_value) const;
+  [[nodiscard]] Status validate(const std::vector<DegreeOfFreedom>& dofs, const std::string& name,
+                                double min_value, double max_value) const;
   using Pose = std::map<std::string, double>;
 
   Kind kind_ = Kind::kPoses;

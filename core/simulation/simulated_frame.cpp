@@ -11,9 +11,7 @@ nlohmann::ordered_json json_of(const Truth::Ball& ball) {
           {"depth_mm", ball.depth_mm}};
 }
 
-nlohmann::ordered_json json_of(const Eigen::Vector3d& v) {
-  return {v.x(), v.y(), v.z()};
-}
+nlohmann::ordered_json json_of(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
 nlohmann::ordered_json json_of(const ContactTruth& contact) {
   nlohmann::ordered_json json{{"name", contact.name},

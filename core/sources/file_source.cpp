@@ -11,18 +11,9 @@ namespace fs = std::filesystem;
 
 /// Results that lie next to images: NAME.depth.tiff, NAME.3d.png and the like.
 bool is_measurement(const fs::path& file) {
-  static constexpr std::array kExtensions{".depth",
-                                          ".depth16",
-                                          ".depth_sd",
-                                          ".flags",
-                                          ".points",
-                                          ".z",
-                                          ".3d",
-                                          ".sd_noise",
-                                          ".sd_mapping",
-                                          ".sd_reference",
-                                          ".sd_light",
-                                          ".sd_lateral"};
+  static constexpr std::array kExtensions{
+      ".depth", ".depth16",  ".depth_sd",   ".flags",        ".points",   ".z",
+      ".3d",    ".sd_noise", ".sd_mapping", ".sd_reference", ".sd_light", ".sd_lateral"};
   return is_one_of(extension_of(file.stem()), kExtensions);
 }
 
@@ -74,12 +65,10 @@ Result<std::vector<fs::path>> images_in(const fs::path& folder) {
       files.push_back(entry->path());
   }
   if (error)
-    return Error{en::say("the folder cannot be read: {}", error.message()),
-                 folder.string(),
+    return Error{en::say("the folder cannot be read: {}", error.message()), folder.string(),
                  en::say("ask its owner for access")};
   if (files.empty())
-    return Error{en::say("the folder contains no images"),
-                 folder.string(),
+    return Error{en::say("the folder contains no images"), folder.string(),
                  en::say("a folder with png, jpg, bmp, tif or pgm files")};
   std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
     return a.filename().string() < b.filename().string();
@@ -160,10 +149,8 @@ double RecordedFrames::frames_per_s() const {
   return video_ ? video_->frames_per_s() : kImagesPerS;
 }
 
-MatchedFrame match_frame(std::size_t number,
-                         const FrameTimes& times_ns,
-                         const FrameTimes& other_times_ns,
-                         std::size_t other_count) {
+MatchedFrame match_frame(std::size_t number, const FrameTimes& times_ns,
+                         const FrameTimes& other_times_ns, std::size_t other_count) {
   if (number >= times_ns.size() || other_times_ns.empty())
     return {std::min(number, other_count - 1), MatchedBy::kNumber, 0};
   const auto [first, last] = std::minmax_element(times_ns.begin(), times_ns.end());
@@ -172,10 +159,10 @@ MatchedFrame match_frame(std::size_t number,
   const bool is_one_time = *first <= *other_last && *other_first <= *last;
   const std::int64_t shift_ns = is_one_time ? 0 : *other_first - *first;
   const std::int64_t target_ns = times_ns[number] + shift_ns;
-  const auto nearest = std::min_element(
-      other_times_ns.begin(), other_times_ns.end(), [&](std::int64_t a, std::int64_t b) {
-        return std::abs(a - target_ns) < std::abs(b - target_ns);
-      });
+  const auto nearest = std::min_element(other_times_ns.begin(), other_times_ns.end(),
+                                        [&](std::int64_t a, std::int64_t b) {
+                                          return std::abs(a - target_ns) < std::abs(b - target_ns);
+                                        });
   return {static_cast<std::size_t>(nearest - other_times_ns.begin()),
           is_one_time ? MatchedBy::kTime : MatchedBy::kBeginning,
           1e-6 * static_cast<double>(*nearest - target_ns)};

@@ -98,10 +98,8 @@ struct MatchedFrame {
 
 /// The frame of the second recording that is nearest in time; its last one where it is shorter.
 ///   number: below the first recording's count; other_count: at least 1
-[[nodiscard]] MatchedFrame match_frame(std::size_t number,
-                                       const FrameTimes& times_ns,
-                                       const FrameTimes& other_times_ns,
-                                       std::size_t other_count);
+[[nodiscard]] MatchedFrame match_frame(std::size_t number, const FrameTimes& times_ns,
+                                       const FrameTimes& other_times_ns, std::size_t other_count);
 
 // Random access to the frames of a recording.
 
@@ -133,9 +131,8 @@ class RecordedFrames {
 /// Returns ".png", in lower case.
 inline std::string extension_of(const std::filesystem::path& file) {
   std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) {
-    return static_cast<char>(std::tolower(c));
-  });
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return extension;
 }
 

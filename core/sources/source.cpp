@@ -94,15 +94,9 @@ Result<FramePtr> NewestSource::next() {
   return std::exchange(s.newest, nullptr);
 }
 
-std::optional<std::size_t> NewestSource::count() const {
-  return std::nullopt;
-}
-bool NewestSource::is_continuous() const {
-  return state_->source->is_continuous();
-}
-double NewestSource::frames_per_s() const {
-  return state_->source->frames_per_s();
-}
+std::optional<std::size_t> NewestSource::count() const { return std::nullopt; }
+bool NewestSource::is_continuous() const { return state_->source->is_continuous(); }
+double NewestSource::frames_per_s() const { return state_->source->frames_per_s(); }
 std::uint64_t NewestSource::skipped() const {
   const std::lock_guard lock(state_->mutex);
   return state_->skipped;
@@ -123,8 +117,8 @@ struct FrameHubState {
 
 FramePtr LatestFrameReader::next(std::chrono::milliseconds timeout) {
   std::unique_lock lock(state_->mutex);
-  state_->changed.wait_for(
-      lock, timeout, [&] { return state_->published > seen_ || state_->is_closed; });
+  state_->changed.wait_for(lock, timeout,
+                           [&] { return state_->published > seen_ || state_->is_closed; });
   if (state_->published == seen_) return nullptr;
   missed_ += state_->published - seen_ - 1;
   seen_ = state_->published;
@@ -169,9 +163,7 @@ void FrameQueue::put(const Result<FramePtr>& item) {
 
 FrameHub::FrameHub() : state_(std::make_shared<FrameHubState>()) {}
 
-FrameHub::~FrameHub() {
-  close();
-}
+FrameHub::~FrameHub() { close(); }
 
 void FrameHub::publish(FramePtr frame) {
   FramePtr before;  // released outside the lock: the last owner frees the image

@@ -48,27 +48,17 @@ const std::vector<StreamField>& stream_header_fields() {
   static const std::vector<StreamField> fields = {
       {"magic", "char[4]", offsetof(StreamHeader, magic), "ATCT"},
       {"version", "u16", offsetof(StreamHeader, version), "1"},
-      {"type",
-       "u16",
-       offsetof(StreamHeader, type),
+      {"type", "u16", offsetof(StreamHeader, type),
        "1 finger, 2 frame, 3 problem, 4 end, 5 refused"},
       {"parts", "u32", offsetof(StreamHeader, parts), "entries of the table behind the header"},
-      {"json_bytes",
-       "u32",
-       offsetof(StreamHeader, json_bytes),
+      {"json_bytes", "u32", offsetof(StreamHeader, json_bytes),
        "bytes of the JSON behind the table, with the blanks at its end"},
       {"bytes", "u64", offsetof(StreamHeader, bytes), "bytes of all that follows the header"},
-      {"sequence",
-       "u64",
-       offsetof(StreamHeader, sequence),
+      {"sequence", "u64", offsetof(StreamHeader, sequence),
        "the source's own count; gaps are frames that were lost or too quick to be measured"},
-      {"time_ns",
-       "i64",
-       offsetof(StreamHeader, time_ns),
+      {"time_ns", "i64", offsetof(StreamHeader, time_ns),
        "when the frame was taken, ns, by the clock that the finger message names; 0: not known"},
-      {"lost",
-       "u64",
-       offsetof(StreamHeader, lost),
+      {"lost", "u64", offsetof(StreamHeader, lost),
        "measured frames that this client was too slow for, so far"},
   };
   return fields;
@@ -92,8 +82,7 @@ std::string_view to_string(StreamType type) {
   return kWords.at(static_cast<std::size_t>(type) - 1);
 }
 
-StreamBytes stream_bytes(const StreamMessage& message,
-                         StreamPartSet requested,
+StreamBytes stream_bytes(const StreamMessage& message, StreamPartSet requested,
                          std::uint64_t lost) {
   StreamBytes bytes;
   std::vector<StreamPartEntry> table;
@@ -102,12 +91,9 @@ StreamBytes stream_bytes(const StreamMessage& message,
     if (!requested[k] || part.empty()) continue;
     assert(part.channels() == kStreamParts[k].channels);
     bytes.parts.push_back(part.isContinuous() ? part : part.clone());
-    table.push_back({padded<16>(kStreamParts[k].name),
-                     padded<4>(kStreamParts[k].dtype),
-                     static_cast<std::uint32_t>(part.rows),
-                     static_cast<std::uint32_t>(part.cols),
-                     static_cast<std::uint32_t>(part.channels()),
-                     0,
+    table.push_back({padded<16>(kStreamParts[k].name), padded<4>(kStreamParts[k].dtype),
+                     static_cast<std::uint32_t>(part.rows), static_cast<std::uint32_t>(part.cols),
+                     static_cast<std::uint32_t>(part.channels()), 0,
                      part.total() * part.elemSize()});
   }
   StreamHeader header;
@@ -133,8 +119,8 @@ Result<StreamPartSet> stream_request(std::string_view line) {
   if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
   if (!line.starts_with(kStreamFormat) ||
       (line.size() > kStreamFormat.size() && line[kStreamFormat.size()] != ' '))
-    return bad_request(en::say(
-        "'{}' does not request {}", printable(line.substr(0, 60)), std::string(kStreamFormat)));
+    return bad_request(en::say("'{}' does not request {}", printable(line.substr(0, 60)),
+                               std::string(kStreamFormat)));
   line.remove_prefix(kStreamFormat.size());
   StreamPartSet requested;
   while (!line.empty()) {
@@ -142,12 +128,10 @@ Result<StreamPartSet> stream_request(std::string_view line) {
     line.remove_prefix(std::min(line.size(), word.size() + 1));
     if (word.empty()) continue;
     const auto* const kind =
-        std::find_if(kStreamParts.begin(), kStreamParts.end(), [&](const StreamPartKind& part) {
-          return part.name == word;
-        });
+        std::find_if(kStreamParts.begin(), kStreamParts.end(),
+                     [&](const StreamPartKind& part) { return part.name == word; });
     if (kind == kStreamParts.end())
-      return bad_request(en::say("there is no part '{}', only {}",
-                                 printable(word.substr(0, 60)),
+      return bad_request(en::say("there is no part '{}', only {}", printable(word.substr(0, 60)),
                                  one_of(part_names(), word)));
     requested.set(static_cast<std::size_t>(kind - kStreamParts.begin()));
   }
@@ -188,20 +172,17 @@ const std::vector<StreamKey>& stream_keys() {
       {"finger", "finger", "the finger's name"},
       {"finger", "finger_revision", "grows whenever the finger is calibrated anew meanwhile"},
       {"finger", "calibration_date", "UTC"},
-      {"finger",
-       "verdict",
+      {"finger", "verdict",
        "what the calibration is worth: grade (good, usable, unproven, unfit), expected_error_mm, "
        "causes_mm, missing, rests_on, sentence"},
       {"finger", "source", "where the pictures come from"},
-      {"finger",
-       "clock",
+      {"finger", "clock",
        "monotonic: time_ns is CLOCK_MONOTONIC of this computer, as the kernel "
        "stamped the picture; source: a clock of the source's own"},
       {"finger", "frames_per_s", "about how often pictures come"},
       {"finger", "size_px", "columns and rows of every part"},
       {"finger", "reduced_by", "pixels a side of the camera's picture in one of the parts'"},
-      {"finger",
-       "camera",
+      {"finger", "camera",
        "model, size_px, fx_px, fy_px (mm_per_px), cx_px, cy_px, distortion, "
        "orientation (already applied), port: of the parts' pixels"},
       {"finger", "face", "kind, width_mm or plane_z_mm, layer_mm"},
@@ -229,8 +210,7 @@ const std::vector<StreamKey>& stream_keys() {
       {"frame", "contact.sd_deg", "standard deviation of the direction"},
       {"frame", "contact.face", "contact, back, upper, lower"},
       {"frame", "finger_contact.face", "contact, back, upper, lower"},
-      {"frame",
-       "finger_contact.direction",
+      {"frame", "finger_contact.direction",
        "unit vector, camera frame: the way the finger gives way"},
       {"frame", "finger_contact.direction_sd_deg", "standard deviation"},
       {"frame", "finger_contact.along_mm", "along the face from its base"},
@@ -257,8 +237,7 @@ const std::vector<StreamKey>& stream_keys() {
       {"frame", "regions[].place_on_face_mm", "along and across the face"},
       {"frame", "regions[].deepest_mm", "along z"},
       {"frame", "regions[].deepest_sd_mm", "standard deviation"},
-      {"frame",
-       "regions[].limits",
+      {"frame", "regions[].limits",
        "layer_limit: depths are least values; out_of_range, doubtful_light; absent: none"},
       {"frame", "regions[].area_mm2", "on the face"},
       {"frame", "regions[].volume_mm3", "displaced"},
@@ -302,8 +281,7 @@ std::string stream_schema_text() {
           "the finger is, the others what each frame tells, as soon as it was measured. A part "
           "that was asked for is missing only where the frame has none. Whoever reads too slowly "
           "misses frames; its headers count them.",
-          kLongestStreamRequest,
-          kStreamFormat),
+          kLongestStreamRequest, kStreamFormat),
       0);
   text += "\n\n";
   text += wrapped(
@@ -313,23 +291,20 @@ std::string stream_schema_text() {
           kStreamAlignment),
       0);
   text += "\n\n";
-  const auto add_fields =
-      [&](const char* title, std::size_t size, const std::vector<StreamField>& fields) {
-        text += fmt::format("{}, {} bytes\n", title, size);
-        for (const StreamField& field : fields)
-          text += fmt::format("  {:>2}  {:<10} {:<9} {}\n",
-                              field.offset,
-                              field.name,
-                              field.type,
-                              wrapped(field.what, 27));
-        text += "\n";
-      };
+  const auto add_fields = [&](const char* title, std::size_t size,
+                              const std::vector<StreamField>& fields) {
+    text += fmt::format("{}, {} bytes\n", title, size);
+    for (const StreamField& field : fields)
+      text += fmt::format("  {:>2}  {:<10} {:<9} {}\n", field.offset, field.name, field.type,
+                          wrapped(field.what, 27));
+    text += "\n";
+  };
   add_fields("header", sizeof(StreamHeader), stream_header_fields());
   add_fields("entry of the table", sizeof(StreamPartEntry), stream_part_fields());
   text += "parts: rows of pixels [v, u]\n";
   for (const StreamPartKind& kind : kStreamParts)
-    text += fmt::format(
-        "  {:<8} {} x {}  {}\n", kind.name, kind.dtype, kind.channels, wrapped(kind.what, 20));
+    text += fmt::format("  {:<8} {} x {}  {}\n", kind.name, kind.dtype, kind.channels,
+                        wrapped(kind.what, 20));
   std::string_view message;
   for (const StreamKey& key : stream_keys()) {
     if (key.message != message) text += fmt::format("\nJSON of a {} message\n", key.message);

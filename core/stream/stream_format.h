@@ -62,12 +62,10 @@ struct StreamPartKind {
 };
 inline constexpr std::array kStreamParts = {
     StreamPartKind{"picture", "|u1", 1, "grey levels of the picture that was measured"},
-    StreamPartKind{
-        "depth16", "<u2", 1, "whole micrometres: depth_mm = 0.001 (value - 10000); 0: none"},
+    StreamPartKind{"depth16", "<u2", 1,
+                   "whole micrometres: depth_mm = 0.001 (value - 10000); 0: none"},
     StreamPartKind{"depth", "<f4", 1, "press depth along z, mm; NaN: none"},
-    StreamPartKind{"flags",
-                   "|u1",
-                   1,
+    StreamPartKind{"flags", "|u1", 1,
                    "0 measured, 1 off the face, 2 too dark, 3 saturated, 4 darker than calibrated, "
                    "5 beyond the layer, 6 not in the recording, 7 end hidden"},
     StreamPartKind{"points", "<f4", 3, "x, y, z of the pressed face, mm, camera frame; NaN: none"},
@@ -103,8 +101,7 @@ struct StreamBytes {
   std::string head;
   std::vector<cv::Mat> parts;  ///< continuous
 };
-[[nodiscard]] StreamBytes stream_bytes(const StreamMessage& message,
-                                       StreamPartSet requested,
+[[nodiscard]] StreamBytes stream_bytes(const StreamMessage& message, StreamPartSet requested,
                                        std::uint64_t lost);
 
 /// Parses a client's line, without its end: "alltact-stream/1 depth16 flags". Without parts the

@@ -89,9 +89,7 @@ class StreamClient {
 
 constexpr std::array<char, kStreamAlignment> kZeros{};
 
-std::size_t size_of(const cv::Mat& part) {
-  return part.total() * part.elemSize();
-}
+std::size_t size_of(const cv::Mat& part) { return part.total() * part.elemSize(); }
 std::size_t padding_of(const cv::Mat& part) {
   return (kStreamAlignment - size_of(part) % kStreamAlignment) % kStreamAlignment;
 }
@@ -152,8 +150,7 @@ void StreamClient::read(Clock::time_point now) {
   if (is_leaving_) return;  // reads on, so that the client receives the reason
   if (count == 0) {
     if (!requested_)
-      refuse({en::say("the connection's line was incomplete"),
-              "",
+      refuse({en::say("the connection's line was incomplete"), "",
               en::say("ending it with a line break")},
              now);
     return;
@@ -323,8 +320,7 @@ struct StreamServer::State {
       if (!is_own_peer(client.descriptor()))
         client.refuse({en::say("programs of other users are not accepted"), "", ""}, now);
       else if (clients.size() > kMaxClients)
-        client.refuse({en::say("{} programs are already served", kMaxClients),
-                       "",
+        client.refuse({en::say("{} programs are already served", kMaxClients), "",
                        en::say("ending one of them")},
                       now);
     }
@@ -354,8 +350,7 @@ struct StreamServer::State {
     for (StreamClient& client : clients)
       if (const auto end = client.deadline(); end && now >= *end && !client.is_over(now))
         client.refuse(
-            {en::say("no line came within {} seconds", StreamClient::kRequestTimeout.count()),
-             "",
+            {en::say("no line came within {} seconds", StreamClient::kRequestTimeout.count()), "",
              en::say("one line such as alltact-stream/1 picture depth16")},
             now);
     std::uint64_t refused = 0;
@@ -400,13 +395,9 @@ Result<std::unique_ptr<StreamServer>> StreamServer::start(const std::filesystem:
 
 StreamServer::StreamServer(std::unique_ptr<State> state) : state_(std::move(state)) {}
 
-StreamServer::~StreamServer() {
-  end("{}");
-}
+StreamServer::~StreamServer() { end("{}"); }
 
-const std::filesystem::path& StreamServer::path() const {
-  return state_->listening.path();
-}
+const std::filesystem::path& StreamServer::path() const { return state_->listening.path(); }
 
 void StreamServer::publish(StreamMessage message) {
   {
@@ -417,9 +408,7 @@ void StreamServer::publish(StreamMessage message) {
   state_->wake();
 }
 
-StreamPartSet StreamServer::requested() const {
-  return StreamPartSet(state_->requested.load());
-}
+StreamPartSet StreamServer::requested() const { return StreamPartSet(state_->requested.load()); }
 
 StreamCounts StreamServer::counts() const {
   const std::lock_guard lock(state_->mutex);
@@ -445,9 +434,7 @@ namespace fs = std::filesystem;
 
 constexpr int kBacklog = 16;  // length of the queue of new connections
 
-fs::path lock_of(const fs::path& socket) {
-  return socket.string() + ".lock";
-}
+fs::path lock_of(const fs::path& socket) { return socket.string() + ".lock"; }
 
 Error cannot_listen(const fs::path& path, int error_number) {
   return system_error(en::say("programs could not connect here"), path, error_number);
@@ -460,8 +447,7 @@ Result<sockaddr_un> address_of(const fs::path& path) {
   if (name.size() >= sizeof address.sun_path)
     return Error{en::say("the path is longer than the {} bytes a socket's path may have",
                          sizeof address.sun_path - 1),
-                 path,
-                 en::say("a shorter one with --socket")};
+                 path, en::say("a shorter one with --socket")};
   name.copy(address.sun_path, name.size());
   return address;
 }
@@ -479,13 +465,11 @@ Status make_private_folder(const fs::path& folder) {
   if (stat(folder.c_str(), &of) != 0) return cannot_listen(folder, errno);
   if (!S_ISDIR(of.st_mode)) return cannot_listen(folder, ENOTDIR);
   if (of.st_uid != geteuid())
-    return Error{en::say("this folder belongs to another user, who could read the data"),
-                 folder,
+    return Error{en::say("this folder belongs to another user, who could read the data"), folder,
                  en::say("a folder of your own with --socket")};
   if ((of.st_mode & (S_IWGRP | S_IWOTH)) != 0)
     return Error{en::say("others may write in this folder, and could put their own socket there"),
-                 folder,
-                 en::say("chmod 700, or another folder with --socket")};
+                 folder, en::say("chmod 700, or another folder with --socket")};
   return {};
 }
 
@@ -493,8 +477,7 @@ Status check_free(const fs::path& path, const sockaddr_un& address) {
   struct stat of {};
   if (lstat(path.c_str(), &of) != 0) return errno == ENOENT ? Status() : cannot_listen(path, errno);
   if (!S_ISSOCK(of.st_mode))
-    return Error{en::say("something here is not a socket, and it remains unchanged"),
-                 path,
+    return Error{en::say("something here is not a socket, and it remains unchanged"), path,
                  en::say("another path with --socket")};
   const Descriptor probe = new_socket();
   if (connect(probe.number(), reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0 &&
@@ -503,8 +486,7 @@ Status check_free(const fs::path& path, const sockaddr_un& address) {
   const auto who = read_file(lock_of(path));
   return Error{
       en::say("another program already serves here ({})", who ? printable(*who) : std::string("?")),
-      path,
-      en::say("connecting to that one, ending it, or another path with --socket")};
+      path, en::say("connecting to that one, ending it, or another path with --socket")};
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
-#include "core/thumbnail/thumbnail.h"
-
 #include "core/base/atomic_file.h"
 #include "core/mesh/mesh_file.h"
+#include "core/thumbnail/thumbnail.h"
 
 #include <algorithm>
 #include <array>
@@ -80,13 +79,12 @@ std::optional<Triangles> from_vtp(std::string_view bytes) {
 
 /// An accessor of the first primitive, all of whose bytes lie in the binary chunk.
 template <class T>
-std::optional<std::vector<T>> glb_array(const Json& document,
-                                        std::string_view binary,
+std::optional<std::vector<T>> glb_array(const Json& document, std::string_view binary,
                                         const Json& accessor) {
   const Json& described = document.at("accessors").at(accessor.get<std::size_t>());
   const Json& view = document.at("bufferViews").at(described.at("bufferView").get<std::size_t>());
-  return values_at<T>(
-      binary, view.at("byteOffset").get<std::size_t>(), described.at("count").get<std::size_t>());
+  return values_at<T>(binary, view.at("byteOffset").get<std::size_t>(),
+                      described.at("count").get<std::size_t>());
 }
 
 std::optional<Triangles> from_glb(std::string_view bytes) {
@@ -127,8 +125,8 @@ bool is_glb(std::string_view bytes) {
 /// Validated, since its steps follow corners that are out of range.
 std::optional<Triangles> by_assimp(const std::string& bytes, const std::string& kind) {
   Assimp::Importer importer;
-  importer.ReadFileFromMemory(
-      bytes.data(), bytes.size(), aiProcess_ValidateDataStructure, kind.c_str());
+  importer.ReadFileFromMemory(bytes.data(), bytes.size(), aiProcess_ValidateDataStructure,
+                              kind.c_str());
   const aiScene* scene = scene_triangles(importer);
   if (scene == nullptr) return std::nullopt;
   Triangles triangles;
@@ -136,8 +134,8 @@ std::optional<Triangles> by_assimp(const std::string& bytes, const std::string& 
     const aiMesh& part = *scene->mMeshes[i];
     const auto first = static_cast<std::int32_t>(triangles.points_mm.size());
     for (unsigned k = 0; k < part.mNumVertices; ++k)
-      triangles.points_mm.emplace_back(
-          part.mVertices[k].x, part.mVertices[k].y, part.mVertices[k].z);
+      triangles.points_mm.emplace_back(part.mVertices[k].x, part.mVertices[k].y,
+                                       part.mVertices[k].z);
     for (unsigned k = 0; k < part.mNumFaces; ++k) {
       const aiFace& face = part.mFaces[k];
       if (face.mNumIndices != 3) continue;  // points and lines
@@ -152,17 +150,15 @@ std::optional<Triangles> by_assimp(const std::string& bytes, const std::string& 
 
 bool is_sound(const Triangles& triangles) {
   const auto count = static_cast<std::int32_t>(triangles.points_mm.size());
-  return std::all_of(triangles.corners.begin(),
-                     triangles.corners.end(),
+  return std::all_of(triangles.corners.begin(), triangles.corners.end(),
                      [count](const std::array<std::int32_t, 3>& corners) {
-                       return std::all_of(corners.begin(), corners.end(), [count](std::int32_t c) {
-                         return c >= 0 && c < count;
-                       });
+                       return std::all_of(corners.begin(), corners.end(),
+                                          [count](std::int32_t c) { return c >= 0 && c < count; });
                      }) &&
-         std::all_of(
-             triangles.points_mm.begin(), triangles.points_mm.end(), [](const cv::Vec3f& p) {
-               return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
-             });
+         std::all_of(triangles.points_mm.begin(), triangles.points_mm.end(),
+                     [](const cv::Vec3f& p) {
+                       return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+                     });
 }
 
 }  // namespace
@@ -172,11 +168,10 @@ Result<Triangles> read_triangles(const std::filesystem::path& file) {
     return Error{std::move(what), file.string(), en::say("a file that a 3D program shows")};
   };
   std::string kind = file.extension().string();
-  std::transform(
-      kind.begin(), kind.end(), kind.begin(), [](unsigned char c) { return std::tolower(c); });
+  std::transform(kind.begin(), kind.end(), kind.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
   if (kind != ".ply" && kind != ".vtp" && kind != ".glb" && kind != ".stl" && kind != ".obj")
-    return Error{en::say("this mesh format is unknown"),
-                 file.string(),
+    return Error{en::say("this mesh format is unknown"), file.string(),
                  en::say("a file that ends in .ply, .vtp, .glb, .stl or .obj")};
   const auto bytes = read_file(file, kLargestFile);
   if (!bytes) return bytes.error();
@@ -211,8 +206,8 @@ struct Element {
   std::size_t count = 0;
   std::vector<Property> properties;
   [[nodiscard]] bool has(Role role) const {
-    return std::any_of(
-        properties.begin(), properties.end(), [role](const auto& p) { return p.role == role; });
+    return std::any_of(properties.begin(), properties.end(),
+                       [role](const auto& p) { return p.role == role; });
   }
 };
 
@@ -239,14 +234,11 @@ std::optional<Number> number_named(std::string_view type) {
     std::string_view name, sized_name;
     Number number;
   };
-  static constexpr Named kNamed[] = {{"char", "int8", Number::kInt8},
-                                     {"uchar", "uint8", Number::kUint8},
-                                     {"short", "int16", Number::kInt16},
-                                     {"ushort", "uint16", Number::kUint16},
-                                     {"int", "int32", Number::kInt32},
-                                     {"uint", "uint32", Number::kUint32},
-                                     {"float", "float32", Number::kFloat},
-                                     {"double", "float64", Number::kDouble}};
+  static constexpr Named kNamed[] = {
+      {"char", "int8", Number::kInt8},      {"uchar", "uint8", Number::kUint8},
+      {"short", "int16", Number::kInt16},   {"ushort", "uint16", Number::kUint16},
+      {"int", "int32", Number::kInt32},     {"uint", "uint32", Number::kUint32},
+      {"float", "float32", Number::kFloat}, {"double", "float64", Number::kDouble}};
   for (const Named& named : kNamed)
     if (type == named.name || type == named.sized_name) return named.number;
   return std::nullopt;

@@ -129,12 +129,8 @@ class Painter {
   [[nodiscard]] const cv::Mat& image() const { return image_; }
 
  private:
-  void draw_pixel(const std::array<Eigen::Vector3d, 3>& at,
-                  double area,
-                  const Eigen::Vector2d& pixel,
-                  const Eigen::Vector3d& shade,
-                  int u,
-                  int v) {
+  void draw_pixel(const std::array<Eigen::Vector3d, 3>& at, double area,
+                  const Eigen::Vector2d& pixel, const Eigen::Vector3d& shade, int u, int v) {
     double z = 0;
     for (std::size_t k = 0; k < 3; ++k) {
       const Eigen::Vector2d from = at[(k + 1) % 3].head<2>() - pixel,
@@ -145,10 +141,9 @@ class Painter {
     }
     if (!(z < nearest_(v, u))) return;
     nearest_(v, u) = z;
-    image_.at<cv::Vec4f>(v, u) = cv::Vec4f(static_cast<float>(shade.z()),
-                                           static_cast<float>(shade.y()),
-                                           static_cast<float>(shade.x()),
-                                           1.0F);
+    image_.at<cv::Vec4f>(v, u) =
+        cv::Vec4f(static_cast<float>(shade.z()), static_cast<float>(shade.y()),
+                  static_cast<float>(shade.x()), 1.0F);
   }
 
   cv::Mat image_;
@@ -200,8 +195,8 @@ Result<cv::Mat> thumbnail_of(const std::filesystem::path& file, int size_px) {
   if (name.ends_with(".tiff") || name.ends_with(".png")) {
     auto depth = name.ends_with(".png") ? read_depth_png(file) : read_float_image(file);
     if (depth && depth->type() != CV_32FC1)
-      return Error{
-          en::say("these are points, no depth"), file.string(), en::say("NAME.depth.tiff")};
+      return Error{en::say("these are points, no depth"), file.string(),
+                   en::say("NAME.depth.tiff")};
     if (!depth) return depth.error();
     return depth_thumbnail(*depth, size_px);
   }

@@ -148,10 +148,8 @@ TEST(BadInput, APressWithoutABallIsLeftOutWithItsReason) {
             1U);
   EXPECT_EQ(after, before);
 
-  const ProgramRun among = flat.calibrate({flat.presses[0].string(),
-                                           flat.presses[1].string(),
-                                           flat.file("nothing.png"),
-                                           flat.presses[2].string()});
+  const ProgramRun among = flat.calibrate({flat.presses[0].string(), flat.presses[1].string(),
+                                           flat.file("nothing.png"), flat.presses[2].string()});
   EXPECT_EQ(among.status, 0) << among.errors;
   EXPECT_THAT(among.errors, HasSubstr("Left out: nothing"));
   const auto report = nlohmann::json::parse(text_of(flat.finger() + "/calibration_report.json"));

@@ -67,10 +67,7 @@ ProgramRun run_among_devices(const std::string& command, const std::string& came
   return run_shell(
       fmt::format("ALLTACT_FAKE_CAMERA='node=/dev/video0 {}' umockdev-run --device '{}' -- "
                   "env LD_PRELOAD='{}:libumockdev-preload.so.0' timeout 100 {}",
-                  camera,
-                  (folder / "devices").string(),
-                  ALLTACT_FAKE_CAMERA_LIBRARY,
-                  command));
+                  camera, (folder / "devices").string(), ALLTACT_FAKE_CAMERA_LIBRARY, command));
 }
 
 TEST(Devices, ListsWhatThereIsAndWhatIsWrongWithIt) {
@@ -112,8 +109,7 @@ TEST(Devices, ACameraIsRecordedByItsLastingName) {
     const std::string video = (folder / "v.mkv").string();
     const ProgramRun run = run_among_devices(
         fmt::format("'{}' record usb-Fake_AAAA-video-index0 -o '{}' --frames 25 --json",
-                    ALLTACT_PROGRAM,
-                    video),
+                    ALLTACT_PROGRAM, video),
         fmt::format("pixels={} size=320x240 rate=60", format));
     ASSERT_EQ(run.status, 0) << run.errors;
     const auto json = nlohmann::json::parse(run.output);
@@ -163,19 +159,14 @@ TEST(FakeCamera, PassesTheKernelsOwnTestOfCameras) {
   for (std::sregex_iterator it(text.begin(), text.end(), line), end; it != end; ++it)
     ((*it)[2] == "FAIL" ? failed : passed).insert((*it)[1]);
   EXPECT_GE(passed.size(), 40U) << run.output << run.errors;
-  for (const char* needed : {"MMAP (no poll)",
-                             "MMAP (select)",
-                             "MMAP (epoll)",
-                             "blocking wait",
-                             "VIDIOC_QUERYCAP",
-                             "VIDIOC_QUERY_EXT_CTRL/QUERYMENU",
-                             "VIDIOC_REQBUFS/CREATE_BUFS/QUERYBUF",
-                             "VIDIOC_S_FMT"})
+  for (const char* needed :
+       {"MMAP (no poll)", "MMAP (select)", "MMAP (epoll)", "blocking wait", "VIDIOC_QUERYCAP",
+        "VIDIOC_QUERY_EXT_CTRL/QUERYMENU", "VIDIOC_REQBUFS/CREATE_BUFS/QUERYBUF", "VIDIOC_S_FMT"})
     EXPECT_TRUE(passed.contains(needed)) << needed << "\n" << run.output;
   // As USB cameras do, it refuses controls that an automatic mode has in hand, which the test holds
   // against it; and select() cannot be told of events.
-  const std::set<std::string> known = {
-      "VIDIOC_G/S_CTRL", "VIDIOC_G/S/TRY_EXT_CTRLS", "VIDIOC_(UN)SUBSCRIBE_EVENT/DQEVENT"};
+  const std::set<std::string> known = {"VIDIOC_G/S_CTRL", "VIDIOC_G/S/TRY_EXT_CTRLS",
+                                       "VIDIOC_(UN)SUBSCRIBE_EVENT/DQEVENT"};
   for (const std::string& test : failed) EXPECT_TRUE(known.contains(test)) << test << run.output;
 }
 

@@ -43,12 +43,8 @@ class DiskFaults : public FingerOnDisk {
     fs::copy(kept_, finger(), fs::copy_options::recursive);
   }
   [[nodiscard]] ProgramRun run(const std::string& settings, const std::string& arguments) const {
-    return run_shell(fmt::format("ALLTACT_DISK='{}' {} LD_PRELOAD={} {} {}",
-                                 finger(),
-                                 settings,
-                                 ALLTACT_FAULTY_DISK,
-                                 ALLTACT_DISK_CHILD,
-                                 arguments));
+    return run_shell(fmt::format("ALLTACT_DISK='{}' {} LD_PRELOAD={} {} {}", finger(), settings,
+                                 ALLTACT_FAULTY_DISK, ALLTACT_DISK_CHILD, arguments));
   }
 
   /// Every operation of a change is the first that fails, one after the other, until none does.
@@ -104,20 +100,14 @@ TEST_F(DiskFaults, AFullDiskWhileAFingerIsCalibrated) {
 }
 
 TEST_F(DiskFaults, TheClockOfTheComputerWasSetBack) {
-  ASSERT_EQ(
-      run("",
-          fmt::format(
-              "calibrate {} {} {}", finger(), flat_.presses[0].string(), flat_.presses[1].string()))
-          .status,
-      0);
+  ASSERT_EQ(run("", fmt::format("calibrate {} {} {}", finger(), flat_.presses[0].string(),
+                                flat_.presses[1].string()))
+                .status,
+            0);
   const auto check = [&](const std::string& settings) {
-    return run_shell(fmt::format("{} LD_PRELOAD={} {} check {} --presses {} {} {}",
-                                 settings,
-                                 ALLTACT_FAULTY_DISK,
-                                 ALLTACT_PROGRAM,
-                                 finger(),
-                                 flat_.presses[0].string(),
-                                 flat_.presses[1].string(),
+    return run_shell(fmt::format("{} LD_PRELOAD={} {} check {} --presses {} {} {}", settings,
+                                 ALLTACT_FAULTY_DISK, ALLTACT_PROGRAM, finger(),
+                                 flat_.presses[0].string(), flat_.presses[1].string(),
                                  flat_.presses[2].string()));
   };
   const std::string history = finger() + "/checks.csv";
@@ -140,9 +130,7 @@ TEST_F(DiskFaults, ADiskThatStallsIsToldOfAndCanBeLeft) {
   const ProgramRun run = run_shell(fmt::format(
       "export ALLTACT_DISK='{0}' ALLTACT_DISK_STALL=20000; LD_PRELOAD={1} {2} check {0} & "
       "sleep 4.9; kill -INT $!; sleep 0.2; kill -INT $!; wait $!",
-      finger(),
-      ALLTACT_FAULTY_DISK,
-      ALLTACT_PROGRAM));
+      finger(), ALLTACT_FAULTY_DISK, ALLTACT_PROGRAM));
   const std::string alarm = "its disk responds slowly";
   EXPECT_THAT(run.errors, HasSubstr("finger.yaml: " + alarm));
   EXPECT_EQ(run.errors.find(alarm), run.errors.rfind(alarm)) << run.errors;
@@ -154,12 +142,9 @@ TEST_F(DiskFaults, FewOpenFilesAreToldOrEnough) {
   while (run_shell(fmt::format("ulimit -n {}; {} --version", least, ALLTACT_PROGRAM)).status == 127)
     ASSERT_LT(++least, 64);
   for (int files = least; files <= least + 20; files += is_slow_run() ? 1 : 4) {
-    const ProgramRun run = run_shell(fmt::format("ulimit -n {}; {} reconstruct {} {} -o {}",
-                                                 files,
-                                                 ALLTACT_PROGRAM,
-                                                 finger(),
-                                                 flat_.presses[0].string(),
-                                                 flat_.file("out")));
+    const ProgramRun run =
+        run_shell(fmt::format("ulimit -n {}; {} reconstruct {} {} -o {}", files, ALLTACT_PROGRAM,
+                              finger(), flat_.presses[0].string(), flat_.file("out")));
     EXPECT_THAT(run.status, AnyOf(0, 1)) << files << run.errors;
     EXPECT_THAT(run.errors, Not(HasSubstr("unexpected"))) << files;
     if (run.status == 1) {
@@ -172,13 +157,9 @@ TEST_F(DiskFaults, FewOpenFilesAreToldOrEnough) {
 TEST_F(DiskFaults, LittleMemoryIsToldOrEnough) {
   int refused = 0;
   for (int megabytes = 60; megabytes <= 900; megabytes += is_slow_run() ? 40 : 210) {
-    const ProgramRun run =
-        run_shell(fmt::format("ulimit -v {}; timeout -s KILL 60 {} reconstruct {} {} -o {}",
-                              1000 * megabytes,
-                              ALLTACT_PROGRAM,
-                              finger(),
-                              flat_.presses[0].string(),
-                              flat_.file("out")));
+    const ProgramRun run = run_shell(
+        fmt::format("ulimit -v {}; timeout -s KILL 60 {} reconstruct {} {} -o {}", 1000 * megabytes,
+                    ALLTACT_PROGRAM, finger(), flat_.presses[0].string(), flat_.file("out")));
     EXPECT_THAT(run.status, AnyOf(0, 1)) << megabytes << run.errors;
     if (run.status == 1) {
       EXPECT_THAT(run.errors, HasSubstr("Try: ")) << megabytes;
@@ -200,9 +181,7 @@ TEST_F(DiskFaults, LittleMemoryForPagesOfTheReportIsToldAndLosesNoCalibration) {
   for (int megabytes = 340; megabytes <= 640; megabytes += 10) {
     const ProgramRun run =
         run_shell(fmt::format("ulimit -v {}; timeout -s KILL 60 {} calibrate {} --again",
-                              1000 * megabytes,
-                              ALLTACT_PROGRAM,
-                              finger()));
+                              1000 * megabytes, ALLTACT_PROGRAM, finger()));
     EXPECT_THAT(run.status, AnyOf(0, 1)) << megabytes << run.errors;
     if (run.status == 1) {
       EXPECT_THAT(run.errors, HasSubstr("Try: ")) << megabytes;

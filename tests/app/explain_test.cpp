@@ -18,10 +18,10 @@ TEST(Explain, TellsWhatIsBuiltWhenAndWhyInTheOrderOfRunning) {
   EXPECT_THAT(run.output, HasSubstr("150 frames"));
   EXPECT_THAT(run.output, HasSubstr("What the Studio shows where no camera is plugged in"));
   std::size_t last = 0;
-  for (const char* line : {"bend           frames 0 to 149: ",
-                           "ball           frames 45 to 149: A ball is pressed into the face\n",
-                           "read           frames 0 to 149: ",
-                           "quantisation   frames 0 to 149: "}) {
+  for (const char* line :
+       {"bend           frames 0 to 149: ",
+        "ball           frames 45 to 149: A ball is pressed into the face\n",
+        "read           frames 0 to 149: ", "quantisation   frames 0 to 149: "}) {
     const std::size_t at = run.output.find(line);
     ASSERT_NE(at, std::string::npos) << line;
     EXPECT_GT(at, last) << line;

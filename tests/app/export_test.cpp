@@ -68,12 +68,10 @@ TEST(Export, ListsWhatItWroteAndReplacesWhatWasThere) {
       run_alltact({"export", finger, "--to", "zip,ros,opencv,json", "-o", out, "--json"});
   ASSERT_EQ(run.status, 0) << run.errors;
   const auto files = nlohmann::json::parse(run.output).at("files");
-  EXPECT_THAT(files.get<std::vector<std::string>>(),
-              ElementsAre(out + "/camera.opencv.yaml",
-                          out + "/camera_info.yaml",
-                          out + "/parameters.yaml",
-                          out + "/calibration.json",
-                          out + "/finger.zip"));
+  EXPECT_THAT(
+      files.get<std::vector<std::string>>(),
+      ElementsAre(out + "/camera.opencv.yaml", out + "/camera_info.yaml", out + "/parameters.yaml",
+                  out + "/calibration.json", out + "/finger.zip"));
   EXPECT_THAT(text_of(folder / "out/camera_info.yaml"),
               HasSubstr("distortion_model: equidistant\n"));
   EXPECT_EQ(text_of(folder / "out/notes.txt"), "mine");

@@ -30,17 +30,12 @@ TEST(Files, ACalibrationLeavesWhatTheDesignNames) {
   EXPECT_THAT(names_in(flat.finger()), testing::ElementsAre("finger.yaml"));
   const ProgramRun run = flat.calibrate();
   ASSERT_EQ(run.status, 0) << run.errors;
-  EXPECT_THAT(names_in(flat.finger()),
-              testing::UnorderedElementsAre("calibration_inputs.yaml",
-                                            "calibration_report.html",
-                                            "calibration_report.json",
-                                            "calibration_report.pdf",
-                                            "finger.yaml",
-                                            "presses/press_0.png",
-                                            "presses/press_1.png",
-                                            "presses/press_2.png",
-                                            "presses/press_3.png",
-                                            "reference.png"));
+  EXPECT_THAT(
+      names_in(flat.finger()),
+      testing::UnorderedElementsAre("calibration_inputs.yaml", "calibration_report.html",
+                                    "calibration_report.json", "calibration_report.pdf",
+                                    "finger.yaml", "presses/press_0.png", "presses/press_1.png",
+                                    "presses/press_2.png", "presses/press_3.png", "reference.png"));
   // All four presses lie in the middle.
   EXPECT_THAT(run.output, HasSubstr("Verdict: unproven"));
   EXPECT_THAT(run.output, HasSubstr("no press in these thirds: left, right; press once in each"));
@@ -64,9 +59,8 @@ TEST(Files, WhatPressesWereTakenWithIsKeptAndHeldAgainstTheReference) {
   take_with(flat.file("ref.png"), "Camera=usb-1; Gain=3");
   const ProgramRun other = flat.calibrate();
   EXPECT_EQ(other.status, 0);
-  EXPECT_THAT(other.errors,
-              HasSubstr("Warning: The presses and the reference were taken with "
-                        "different settings: Gain changed from 3 to 5. "));
+  EXPECT_THAT(other.errors, HasSubstr("Warning: The presses and the reference were taken with "
+                                      "different settings: Gain changed from 3 to 5. "));
   EXPECT_THAT(text_of(yaml), HasSubstr("reference_settings: \"Camera=usb-1; Gain=3\"\n"));
   EXPECT_THAT(text_of(yaml), HasSubstr("press_settings: \"Camera=usb-1; Gain=5\"\n"));
   // The same presses as they are kept with the finger, against a reference like them.
@@ -88,8 +82,8 @@ TEST(Files, AReconstructionMeasuresWhatWasPressed) {
       flat.reconstruct({flat.file("new.png")}, "out", {"--format", "depth,points,ply"});
   ASSERT_EQ(run.status, 0) << run.errors;
   EXPECT_THAT(names_in(flat.folder / "out"),
-              testing::UnorderedElementsAre(
-                  "new.depth.tiff", "new.points.tiff", "new.ply", "results.jsonl"));
+              testing::UnorderedElementsAre("new.depth.tiff", "new.points.tiff", "new.ply",
+                                            "results.jsonl"));
   const cv::Mat depth = cv::imread(flat.file("out/new.depth.tiff"), cv::IMREAD_UNCHANGED);
   ASSERT_EQ(depth.type(), CV_32FC1);
   ASSERT_EQ(depth.size(), truth.size());

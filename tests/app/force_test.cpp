@@ -234,20 +234,13 @@ TEST(ForceCommand, CollectsATableFromResultsAndAGauge) {
           {{"u", table.layouts(row, 2 * m)}, {"v", table.layouts(row, 2 * m + 1)}, {"seen", true}});
     results += line.dump() + "\n";
     if (row % 10 != 3)
-      gauge += fmt::format("frame_{:05},{},{},{}\n",
-                           row,
-                           table.force_N(row, 0),
-                           table.force_N(row, 1),
-                           table.block[static_cast<std::size_t>(row)]);
+      gauge += fmt::format("frame_{:05},{},{},{}\n", row, table.force_N(row, 0),
+                           table.force_N(row, 1), table.block[static_cast<std::size_t>(row)]);
   }
   bench.write("results.jsonl", results);
   bench.write("gauge.csv", gauge);
-  const ProgramRun run = bench.run({"--collect",
-                                    bench.file("results.jsonl"),
-                                    "--gauge",
-                                    bench.file("gauge.csv"),
-                                    "-o",
-                                    bench.file("new.csv")});
+  const ProgramRun run = bench.run({"--collect", bench.file("results.jsonl"), "--gauge",
+                                    bench.file("gauge.csv"), "-o", bench.file("new.csv")});
   ASSERT_EQ(run.status, 0) << run.errors;
   EXPECT_THAT(run.output, HasSubstr("90 rows in"));
   EXPECT_THAT(run.output, HasSubstr("10 of 100 frames have no gauge reading"));

@@ -27,8 +27,7 @@ class GripperCommand : public testing::Test {
     write_results("left", {100, 133, 400}, 0);
     write_results("right", {104, 131, 700}, 1);
   }
-  void write_results(const std::string& name,
-                     const std::vector<int>& times_ms,
+  void write_results(const std::string& name, const std::vector<int>& times_ms,
                      std::size_t finger) {
     std::filesystem::create_directory(folder_ / name);
     std::string lines;
@@ -118,8 +117,8 @@ TEST_F(GripperCommand, TellsTheGapWhereTheFacesWereKept) {
       for (int u = 0; u < 60; ++u) {
         const double y = 0.2 * (u - 30), z = 0.2 * (v - 30), side = finger == 0 ? -1 : 1;
         const Eigen::Vector3d p = camera.point({side * (7 + (y * y + z * z) / 60), y, 90 + z});
-        points.at<cv::Vec3f>(v, u) = {
-            static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())};
+        points.at<cv::Vec3f>(v, u) = {static_cast<float>(p.x()), static_cast<float>(p.y()),
+                                      static_cast<float>(p.z())};
       }
     const std::string name = finger == 0 ? "left" : "right";
     ASSERT_TRUE(write_image(folder_.path() / name / (name + "_0.points.tiff"), points));
@@ -154,14 +153,9 @@ TEST_F(GripperCommand, TheMotorsLogSaysWhereEachPairWasTaken) {
   // The motor goes through 4 turns half-way between the first two frames, by 1 turn a second, and
   // is read no more before the second pair.
   write_text(folder_ / "motor.csv", "time_ns,turns\n2000000,3.9\n102000000,4.0\n112000000,4.01\n");
-  const ProgramRun run = run_alltact({"gripper",
-                                      file("gripper.yaml"),
-                                      "--motor-log",
-                                      file("motor.csv"),
-                                      "--results",
-                                      file("left/results.jsonl"),
-                                      file("right/results.jsonl"),
-                                      "--json"});
+  const ProgramRun run =
+      run_alltact({"gripper", file("gripper.yaml"), "--motor-log", file("motor.csv"), "--results",
+                   file("left/results.jsonl"), file("right/results.jsonl"), "--json"});
   ASSERT_EQ(run.status, 0) << run.errors;
   const Json pairs = Json::parse(run.output).at("pairs");
   EXPECT_NEAR(pairs[0].at("motor_turns"), 4.0, 1e-9);

@@ -165,20 +165,11 @@ TEST(Layers, NobodyOpensOpenCvWindows) {
 }
 
 TEST(Layers, TheTopHoldsOnlyWhatTheDesignNames) {
-  const std::set<std::string> allowed = {"core",
-                                         "calibration",
-                                         "widgets",
-                                         "app",
-                                         "resources",
-                                         "translations",
-                                         "tests",
-                                         "packaging",
-                                         "README.md",
-                                         "CONTRIBUTING.md",
-                                         "CHANGELOG.md",
-                                         "LICENSE",
-                                         "CMakeLists.txt",
-                                         "CMakePresets.json"};
+  const std::set<std::string> allowed = {
+      "core",           "calibration",      "widgets",      "app",
+      "resources",      "translations",     "tests",        "packaging",
+      "README.md",      "CONTRIBUTING.md",  "CHANGELOG.md", "LICENSE",
+      "CMakeLists.txt", "CMakePresets.json"};
   for (const auto& entry : fs::directory_iterator(ALLTACT_SOURCE_DIR)) {
     const std::string name = entry.path().filename().string();
     // build/ and demo/ are made by the two commands and known to .gitignore.
@@ -190,14 +181,11 @@ TEST(Layers, TheTopHoldsOnlyWhatTheDesignNames) {
 
 TEST(Layers, NoProgramLoadsQt5) {
   const fs::path build = fs::path(ALLTACT_PROGRAM).parent_path().parent_path();
-  for (const fs::path& program : {build / "app/liballtact-commands.so",
-                                  build / "app/liballtact-figures.so",
-                                  build / "tests/core_tests",
-                                  build / "tests/app_tests",
-                                  build / "app/studio/alltact-studio",
-                                  build / "tests/widgets_tests",
-                                  build / "tests/studio_tests",
-                                  build / "tests/calibration_tests"}) {
+  for (const fs::path& program :
+       {build / "app/liballtact-commands.so", build / "app/liballtact-figures.so",
+        build / "tests/core_tests", build / "tests/app_tests", build / "app/studio/alltact-studio",
+        build / "tests/widgets_tests", build / "tests/studio_tests",
+        build / "tests/calibration_tests"}) {
     if (!fs::exists(program)) continue;  // a build of one part alone
     const ProgramRun libraries = run_shell("ldd '" + program.string() + "'");
     ASSERT_EQ(libraries.status, 0) << libraries.errors;

@@ -23,11 +23,8 @@ using testing::Not;
 using Ink = std::function<double(double, double)>;
 
 /// Renders views of a board; the same poses for every pattern.
-void write_views(const std::filesystem::path& folder,
-                 const CameraParameters& lens,
-                 const Board& board,
-                 int count,
-                 const Ink& ink) {
+void write_views(const std::filesystem::path& folder, const CameraParameters& lens,
+                 const Board& board, int count, const Ink& ink) {
   const Camera camera = Camera::create(lens).value();
   const made::BoardPainter painter(camera);
   std::mt19937 random(21);
@@ -56,9 +53,7 @@ void expect_lens(const nlohmann::json& found, const CameraParameters& truth, dou
 
 const Board kBoard = made::chessboard(8, 6, 4);
 
-double chess(double x, double y) {
-  return made::chessboard_ink(kBoard, x, y);
-}
+double chess(double x, double y) { return made::chessboard_ink(kBoard, x, y); }
 
 TEST(Lens, ChessboardsGiveTheCameraOfAFinger) {
   const TemporaryFolder folder;
@@ -90,16 +85,8 @@ TEST(Lens, ChessboardsGiveTheCameraOfAFinger) {
   EXPECT_THAT(run.errors, HasSubstr("No board: wall"));
   EXPECT_THAT(run.errors, HasSubstr("23 to 31 %"));
 
-  ASSERT_EQ(run_alltact({"new",
-                         (folder / "finger").string(),
-                         "--camera",
-                         camera,
-                         "--layer-mm",
-                         "1.5",
-                         "--width-mm",
-                         "24",
-                         "--per-row",
-                         "6"})
+  ASSERT_EQ(run_alltact({"new", (folder / "finger").string(), "--camera", camera, "--layer-mm",
+                         "1.5", "--width-mm", "24", "--per-row", "6"})
                 .status,
             0);
   const std::string finger = text_of(folder / "finger/finger.yaml");
@@ -110,15 +97,9 @@ TEST(Lens, ChessboardsGiveTheCameraOfAFinger) {
 TEST(Lens, OrientationTurnsTheLensToo) {
   const TemporaryFolder folder;
   write_views(folder.path(), made::board_lens(), kBoard, 6, chess);
-  const auto found = lens_json({folder.path().string(),
-                                "--board",
-                                "8x6",
-                                "--square-mm",
-                                "4",
-                                "--orientation",
-                                "rotate_90",
-                                "-o",
-                                (folder / "camera.yaml").string()});
+  const auto found =
+      lens_json({folder.path().string(), "--board", "8x6", "--square-mm", "4", "--orientation",
+                 "rotate_90", "-o", (folder / "camera.yaml").string()});
   const CameraParameters truth = made::board_lens();
   EXPECT_NEAR(found["fx"], truth.fy_px, 2);
   EXPECT_NEAR(found["cx"], 479 - truth.cy_px, 2);
@@ -141,34 +122,18 @@ TEST(Lens, CharucoBoardsThroughAFisheye) {
   };
   const CameraParameters lens = made::board_lens(CameraModel::kFisheye);
   write_views(folder.path(), lens, kBoard, 10, ink);
-  const auto found = lens_json({folder.path().string(),
-                                "--board",
-                                "8x6",
-                                "--square-mm",
-                                "4",
-                                "--pattern",
-                                "charuco",
-                                "--model",
-                                "fisheye",
-                                "-o",
-                                (folder / "camera.yaml").string()});
+  const auto found =
+      lens_json({folder.path().string(), "--board", "8x6", "--square-mm", "4", "--pattern",
+                 "charuco", "--model", "fisheye", "-o", (folder / "camera.yaml").string()});
   expect_lens(found, lens, 1.0);
 }
 
 TEST(Lens, DotsAreTakenForWhatTheyAre) {
   const TemporaryFolder folder;
-  write_views(folder.path(), made::board_lens(), kBoard, 10, [](double x, double y) {
-    return made::dots_ink(kBoard, 0.5, x, y);
-  });
-  const auto found = lens_json({folder.path().string(),
-                                "--board",
-                                "8x6",
-                                "--square-mm",
-                                "4",
-                                "--pattern",
-                                "dots",
-                                "-o",
-                                (folder / "camera.yaml").string()});
+  write_views(folder.path(), made::board_lens(), kBoard, 10,
+              [](double x, double y) { return made::dots_ink(kBoard, 0.5, x, y); });
+  const auto found = lens_json({folder.path().string(), "--board", "8x6", "--square-mm", "4",
+                                "--pattern", "dots", "-o", (folder / "camera.yaml").string()});
   expect_lens(found, made::board_lens(), 1.0);
 }
 

@@ -41,8 +41,7 @@ struct Shared : FlatFinger {
     static const Shared shared;
     return shared;
   }
-  ProgramRun part(const std::string& which,
-                  const std::string& output,
+  ProgramRun part(const std::string& which, const std::string& output,
                   const std::string& format = "depth16,depth-video") const {
     return reconstruct({file("pictures")}, output, {"--format", format, "--shard", which});
   }
@@ -52,11 +51,8 @@ TEST(Merge, PartsMakeWhatOneProcessMakes) {
   const Shared& shared = Shared::get();
   for (const char* which : {"1/4", "2/4", "3/4", "4/4"})  // one has no frames
     ASSERT_EQ(shared.part(which, std::string("part") + which[0]).status, 0);
-  const ProgramRun merge = run_alltact({"merge",
-                                        shared.file("part1"),
-                                        shared.file("part2"),
-                                        shared.file("part3"),
-                                        shared.file("part4")});
+  const ProgramRun merge = run_alltact({"merge", shared.file("part1"), shared.file("part2"),
+                                        shared.file("part3"), shared.file("part4")});
   ASSERT_EQ(merge.status, 0) << merge.errors;
   const auto whole = lines_of(shared.folder / "whole" / "results.jsonl");
   EXPECT_EQ(whole.size(), 70U);

@@ -121,14 +121,9 @@ TEST(NumberFlags, ReachTheFingerAsTheyWereMeant) {
   for (const auto& [text, meant] : {std::pair{"1,6", 1.6}, {"1.6", 1.6}, {"1,6 mm", 1.6}}) {
     const TemporaryFolder folder;
     write_flat_camera(folder / "camera.yaml");
-    const ProgramRun run = run_alltact({"new",
-                                        (folder / "finger").string(),
-                                        "--camera",
-                                        (folder / "camera.yaml").string(),
-                                        "--kind",
-                                        "flat",
-                                        "--layer-mm",
-                                        text});
+    const ProgramRun run =
+        run_alltact({"new", (folder / "finger").string(), "--camera",
+                     (folder / "camera.yaml").string(), "--kind", "flat", "--layer-mm", text});
     ASSERT_EQ(run.status, 0) << run.errors;
     EXPECT_EQ(Finger::load(folder / "finger")->face.layer_mm, meant) << text;
     EXPECT_EQ(run.errors, "");
@@ -138,14 +133,9 @@ TEST(NumberFlags, ReachTheFingerAsTheyWereMeant) {
 TEST(NumberFlags, WarnOfWhatIsNotPlausible) {
   const TemporaryFolder folder;
   write_flat_camera(folder / "camera.yaml");
-  const ProgramRun run = run_alltact({"new",
-                                      (folder / "finger").string(),
-                                      "--camera",
-                                      (folder / "camera.yaml").string(),
-                                      "--kind",
-                                      "flat",
-                                      "--layer-mm",
-                                      "16"});
+  const ProgramRun run =
+      run_alltact({"new", (folder / "finger").string(), "--camera",
+                   (folder / "camera.yaml").string(), "--kind", "flat", "--layer-mm", "16"});
   EXPECT_EQ(run.status, 0);
   EXPECT_THAT(run.errors,
               HasSubstr("16 mm is more than typical for the thickness of a layer (0.3 to 5 mm)"));

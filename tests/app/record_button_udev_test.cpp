@@ -212,19 +212,9 @@ TEST_F(RecordByButton, WithoutTheDeviceItSaysWhatThereIs) {
 TEST_F(RecordByButton, TheLightIsSetAndToldWithEveryFrame) {
   bed_.add(TestBed::hid(0, "1209", "0001", "Dimmer"));
   const HidDevice dimmer(bed_);
-  Running run(folder_.path(),
-              {"record",
-               file("s.yaml"),
-               "-o",
-               file("v.mkv"),
-               "--frames",
-               "3",
-               "--dimmer",
-               "1209:0001",
-               "--dimmer-control",
-               "output id=2 bytes=3 at=1 range=0..255",
-               "--brightness",
-               "0.2"});
+  Running run(folder_.path(), {"record", file("s.yaml"), "-o", file("v.mkv"), "--frames", "3",
+                               "--dimmer", "1209:0001", "--dimmer-control",
+                               "output id=2 bytes=3 at=1 range=0..255", "--brightness", "0.2"});
   Report heard;
   for (int i = 0; i < 1000 && heard.empty(); ++i) {
     std::this_thread::sleep_for(10ms);

@@ -34,8 +34,7 @@ void write_scene(const fs::path& file, const std::string& more = "") {
                  more);
 }
 
-ProgramRun record(const fs::path& source,
-                  const fs::path& video,
+ProgramRun record(const fs::path& source, const fs::path& video,
                   const std::vector<std::string>& options = {}) {
   std::vector<std::string> arguments = {"record", source.string(), "-o", video.string()};
   arguments.insert(arguments.end(), options.begin(), options.end());
@@ -54,12 +53,8 @@ TEST(Record, ASceneIsRecordedExactlyAndToldInJson) {
   EXPECT_EQ(answer.at("missing"), 0);
   EXPECT_NEAR(answer.at("seconds").get<double>(), 11 / 60.0, 1e-6);
   EXPECT_EQ(answer.at("bytes"), fs::file_size(folder / "v.mkv"));
-  ASSERT_EQ(run_alltact({"simulate",
-                         (folder / "s.yaml").string(),
-                         "-o",
-                         (folder / "out").string(),
-                         "--seed",
-                         "3"})
+  ASSERT_EQ(run_alltact({"simulate", (folder / "s.yaml").string(), "-o", (folder / "out").string(),
+                         "--seed", "3"})
                 .status,
             0);
   auto video = VideoFile::open(folder / "v.mkv");
@@ -146,8 +141,8 @@ TEST(Record, EndsWholeBeforeTheDiskIsFull) {
   const SmallDisk disk(folder / "disk", 8000);
   if (!disk.mounted()) GTEST_SKIP() << disk.problem();
   write_scene(folder / "s.yaml");
-  const ProgramRun run = record(
-      folder / "s.yaml", folder / "disk/v.mkv", {"--reserve-mb", "7", "--seconds", "60", "--json"});
+  const ProgramRun run = record(folder / "s.yaml", folder / "disk/v.mkv",
+                                {"--reserve-mb", "7", "--seconds", "60", "--json"});
   EXPECT_EQ(run.status, 1);
   EXPECT_THAT(run.errors, HasSubstr("the disk is nearly full"));
   const json answer = json::parse(run.output);
@@ -238,17 +233,9 @@ TEST(RecordGauge, ASerialGaugeIsReadAsLongAsTheRecordingRuns) {
       if (!asked.empty()) line.say(i % 7 == 3 ? "OVER\r\n" : "0.25 lbF\r\n");
     }
   });
-  const ProgramRun run = record(folder / "s.yaml",
-                                folder / "v.mkv",
-                                {"--seconds",
-                                 "3",
-                                 "--gauge",
-                                 "serial:" + line.node(),
-                                 "--gauge-model",
-                                 "mark10",
-                                 "--gauge-direction",
-                                 "-y",
-                                 "--json"});
+  const ProgramRun run = record(folder / "s.yaml", folder / "v.mkv",
+                                {"--seconds", "3", "--gauge", "serial:" + line.node(),
+                                 "--gauge-model", "mark10", "--gauge-direction", "-y", "--json"});
   is_over = true;
   gauge.join();
   ASSERT_EQ(run.status, 0) << run.errors;

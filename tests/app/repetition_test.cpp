@@ -63,8 +63,7 @@ TEST_F(Repetition, GivesTheSameBytes) {
   const auto second = contents_of(flat_.finger());
   const ProgramRun elsewhere =
       run_shell(fmt::format("cd '{}' && '{}' calibrate ./finger/../finger --again",
-                            flat_.folder.path().string(),
-                            ALLTACT_PROGRAM));
+                            flat_.folder.path().string(), ALLTACT_PROGRAM));
   ASSERT_EQ(elsewhere.status, 0) << elsewhere.errors;
   for (const auto& [name, bytes] : second) EXPECT_TRUE(kept(name) == bytes) << name;
 }
@@ -72,10 +71,9 @@ TEST_F(Repetition, GivesTheSameBytes) {
 TEST_F(Repetition, KnowsWhichPressWasMadeWithAnotherBall) {
   const ProgramRun other = again({"--other-ball", "press_2=4.2"});
   ASSERT_EQ(other.status, 0) << other.errors;
-  EXPECT_THAT(kept("calibration_inputs.yaml"),
-              testing::AllOf(HasSubstr("other_balls: [press_2]"),
-                             HasSubstr("other_balls_mm: [4.2]"),
-                             HasSubstr("ball_radius_mm: 4.0\n")));
+  EXPECT_THAT(kept("calibration_inputs.yaml"), testing::AllOf(HasSubstr("other_balls: [press_2]"),
+                                                              HasSubstr("other_balls_mm: [4.2]"),
+                                                              HasSubstr("ball_radius_mm: 4.0\n")));
   EXPECT_THAT(kept("calibration_report.json"), HasSubstr("\"ball_radius_mm\": 4.2"));
   const std::string yaml = kept("finger.yaml");
   ASSERT_EQ(again().status, 0);
@@ -178,17 +176,15 @@ TEST_F(Repetition, LeavesOutWhatIsExcludedAndTakesItBack) {
 TEST_F(Repetition, BeginsWhereAHandPutABallAndForgetsItAgain) {
   const auto report = nlohmann::json::parse(kept("calibration_report.json"));
   const auto& centre = report.at("presses").at(1).at("centre_mm");
-  const std::string ball = fmt::format("press_1={},{},{}",
-                                       centre.at(0).get<double>() + 0.2,
-                                       centre.at(1).get<double>() - 0.1,
-                                       centre.at(2).get<double>());
+  const std::string ball =
+      fmt::format("press_1={},{},{}", centre.at(0).get<double>() + 0.2,
+                  centre.at(1).get<double>() - 0.1, centre.at(2).get<double>());
   ASSERT_EQ(again({"--ball", ball}).status, 0);
   EXPECT_THAT(kept("calibration_inputs.yaml"), HasSubstr("balls: [press_1]\nballs_mm: [["));
   const auto moved = nlohmann::json::parse(kept("calibration_report.json"));
   for (int i = 0; i < 3; ++i)
     EXPECT_NEAR(moved.at("presses").at(1).at("centre_mm").at(i).get<double>(),
-                centre.at(i).get<double>(),
-                0.01);
+                centre.at(i).get<double>(), 0.01);
   ASSERT_EQ(again({"--ball", "press_1=find"}).status, 0);
   EXPECT_THAT(kept("calibration_inputs.yaml"), Not(HasSubstr("balls")));
   EXPECT_EQ(nlohmann::json::parse(kept("calibration_report.json")), report);
@@ -199,12 +195,9 @@ TEST_F(Repetition, BeginsWhereAHandPutABallAndForgetsItAgain) {
 TEST_F(Repetition, ADateThatIsToldIsKept) {
   std::vector<std::string> arguments = {"calibrate", flat_.finger()};
   for (const fs::path& press : flat_.presses) arguments.push_back(press.string());
-  for (const std::string& word : std::vector<std::string>{"--reference",
-                                                          flat_.file("ref.png"),
-                                                          "--ball-radius-mm",
-                                                          "4",
-                                                          "--date",
-                                                          "2001-02-03T04:05:06Z"})
+  for (const std::string& word :
+       std::vector<std::string>{"--reference", flat_.file("ref.png"), "--ball-radius-mm", "4",
+                                "--date", "2001-02-03T04:05:06Z"})
     arguments.push_back(word);
   const ProgramRun run = run_alltact(arguments);
   ASSERT_EQ(run.status, 0) << run.errors;

@@ -14,23 +14,10 @@ namespace {
 
 using testing::HasSubstr;
 
-const std::vector<std::string> kCommands = {"new",
-                                            "simulate",
-                                            "lens",
-                                            "reference",
-                                            "calibrate",
-                                            "reconstruct",
-                                            "merge",
-                                            "serve",
-                                            "record",
-                                            "force",
-                                            "check",
-                                            "export",
-                                            "gripper",
-                                            "study",
-                                            "experiments",
-                                            "demo",
-                                            "thumbnail"};
+const std::vector<std::string> kCommands = {
+    "new",     "simulate", "lens",        "reference", "calibrate", "reconstruct",
+    "merge",   "serve",    "record",      "force",     "check",     "export",
+    "gripper", "study",    "experiments", "demo",      "thumbnail"};
 
 TEST(Usage, HelpNamesEveryCommand) {
   const ProgramRun run = run_alltact({"--help"});
@@ -66,28 +53,12 @@ TEST(Usage, WrongUsageIsTwo) {
       {"check"},
       {"check", "a", "b"},
       {"new", "finger", "--layer-mm", "1.5"},
-      {"new",
-       "finger",
-       "--camera",
-       "c.yaml",
-       "--layer-mm",
-       "-1",
-       "--width-mm",
-       "24",
-       "--per-row",
+      {"new", "finger", "--camera", "c.yaml", "--layer-mm", "-1", "--width-mm", "24", "--per-row",
        "6"},
       {"new", "finger", "--camera", "c.yaml", "--layer-mm", "1.5", "--per-row", "6"},
       {"new", "finger", "--camera", "c.yaml", "--layer-mm", "1.5", "--width-mm", "24"},
       {"new", "finger", "--camera", "c.yaml", "--layer-mm", "3", "--kind", "round"},
-      {"new",
-       "finger",
-       "--camera",
-       "c.yaml",
-       "--layer-mm",
-       "3",
-       "--kind",
-       "flat",
-       "--per-row",
+      {"new", "finger", "--camera", "c.yaml", "--layer-mm", "3", "--kind", "flat", "--per-row",
        "6"},
       {"simulate"},
       {"simulate", "scene.yaml"},
@@ -130,14 +101,10 @@ TEST(Usage, VersionIsTold) {
 TEST(Usage, JsonIsOneObjectAlsoForAFailure) {
   const TemporaryFolder folder;
   write_flat_camera(folder / "camera.yaml");
-  const std::vector<std::string> make = {"new",
-                                         (folder / "finger").string(),
-                                         "--camera",
-                                         (folder / "camera.yaml").string(),
-                                         "--layer-mm",
-                                         "3",
-                                         "--kind",
-                                         "flat",
+  const std::vector<std::string> make = {"new",        (folder / "finger").string(),
+                                         "--camera",   (folder / "camera.yaml").string(),
+                                         "--layer-mm", "3",
+                                         "--kind",     "flat",
                                          "--json"};
   const ProgramRun made = run_alltact(make);
   ASSERT_EQ(made.status, 0) << made.errors;
@@ -200,23 +167,13 @@ TEST(Usage, ChecksTheComputersOwnNumbers) {
 TEST(Usage, ProgressStaysAwayFromFiles) {
   const TemporaryFolder folder;
   const auto presses = write_flat_sensor(folder.path());
-  ASSERT_EQ(run_alltact({"new",
-                         (folder / "finger").string(),
-                         "--camera",
-                         (folder / "camera.yaml").string(),
-                         "--layer-mm",
-                         "3",
-                         "--kind",
-                         "flat"})
+  ASSERT_EQ(run_alltact({"new", (folder / "finger").string(), "--camera",
+                         (folder / "camera.yaml").string(), "--layer-mm", "3", "--kind", "flat"})
                 .status,
             0);
-  const ProgramRun run = run_alltact({"calibrate",
-                                      (folder / "finger").string(),
-                                      presses[0].string(),
-                                      "--reference",
-                                      (folder / "ref.png").string(),
-                                      "--ball-radius-mm",
-                                      "4"});
+  const ProgramRun run =
+      run_alltact({"calibrate", (folder / "finger").string(), presses[0].string(), "--reference",
+                   (folder / "ref.png").string(), "--ball-radius-mm", "4"});
   EXPECT_EQ(run.status, 0) << run.errors;
   EXPECT_THAT(run.errors, testing::Not(HasSubstr("\r")));
   EXPECT_THAT(run.output, testing::Not(HasSubstr("\r")));

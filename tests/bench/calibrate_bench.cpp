@@ -17,8 +17,8 @@ void solve(benchmark::State& state, int count, double incline) {
   std::optional<MadeScene> scene;
   for (int i = 0; i < count; ++i) {
     scene = finger_scene(40.0, incline * (2.0 * i / count - 1.0));
-    const Ball ball{
-        380.0 + 240.0 * i / count, 220.0 + 120.0 * i / count, 4.0, 0.4 + 0.9 * i / count};
+    const Ball ball{380.0 + 240.0 * i / count, 220.0 + 120.0 * i / count, 4.0,
+                    0.4 + 0.9 * i / count};
     presses.push_back(make_press(*scene, {}, {}, {ball}, 1.0, random, fmt::format("p{}", i)).press);
   }
   for ([[maybe_unused]] const auto _ : state) {
@@ -29,15 +29,11 @@ void solve(benchmark::State& state, int count, double incline) {
 }
 
 // At one incline, and at inclines that also have to decide along what thickness is measured.
-void six_presses(benchmark::State& state) {
-  solve(state, 6, static_cast<double>(state.range(0)));
-}
+void six_presses(benchmark::State& state) { solve(state, 6, static_cast<double>(state.range(0))); }
 BENCHMARK(six_presses)->Arg(0)->Arg(24)->Unit(benchmark::kMillisecond);
 
 /// On its own; kept at 2 s or less.
-void ten_presses(benchmark::State& state) {
-  solve(state, 10, static_cast<double>(state.range(0)));
-}
+void ten_presses(benchmark::State& state) { solve(state, 10, static_cast<double>(state.range(0))); }
 BENCHMARK(ten_presses)->Arg(0)->Arg(24)->Unit(benchmark::kMillisecond);
 
 }  // namespace

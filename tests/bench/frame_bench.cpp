@@ -51,8 +51,7 @@ struct Rig {
       replace(scene, "cy: 269.5", "cy: 539.5");
     }
     const Plan plan = Plan::compile(Scene::parse(scene, "bench").value(), 5).value();
-    replace(scene,
-            "  - {use: markers,",
+    replace(scene, "  - {use: markers,",
             "  - {use: ball, radius_mm: 4.0, s_mm: {from: 22.0, to: 80.0}, "
             "y_mm: {from: -4.0, to: 4.0}, depth_mm: {from: 0.4, to: 1.2}}\n"
             "  - {use: markers,");
@@ -113,9 +112,7 @@ void whole_frame(benchmark::State& state, const PipelineSettings& settings) {
   state.counters["contact_ms"] = sum.contact / frames;
 }
 
-void BM_WholeFrame(benchmark::State& state) {
-  whole_frame(state, {});
-}
+void BM_WholeFrame(benchmark::State& state) { whole_frame(state, {}); }
 void BM_WholeFrameNearest(benchmark::State& state) {
   PipelineSettings settings;
   settings.reference = ReferenceMethod::kNearest;
@@ -185,8 +182,8 @@ void contact_beside_none(benchmark::State& state) {
   nothing_touches.contact_threshold_mm = 1.9;  // no region is as deep
   Finger unpushed = rig.finger;
   unpushed.contact.reset();  // no push is told either
-  auto without = Pipeline::create(
-      FingerSnapshot::of(rig.folder.path(), unpushed).value(), nothing_touches, Job());
+  auto without = Pipeline::create(FingerSnapshot::of(rig.folder.path(), unpushed).value(),
+                                  nothing_touches, Job());
   if (!with || !without) return state.SkipWithError("no pipeline");
   std::vector<double> more_ms, alone_ms;
   for ([[maybe_unused]] const auto _ : state)

@@ -45,9 +45,7 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-double processor_ms() {
-  return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
+double processor_ms() { return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 /// Bytes that a step must read and write at the least.
 Costs bytes_of(const FrameResult& result, int neighbours) {
@@ -86,9 +84,8 @@ double copy_ms(double bytes) {
     std::memcpy(to.data(), from.data(), from.size());
     asm volatile("" : : "r"(to.data()) : "memory");  // it is not left out
     clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &end);
-    least = std::min(least,
-                     1e3 * static_cast<double>(end.tv_sec - begin.tv_sec) +
-                         1e-6 * static_cast<double>(end.tv_nsec - begin.tv_nsec));
+    least = std::min(least, 1e3 * static_cast<double>(end.tv_sec - begin.tv_sec) +
+                                1e-6 * static_cast<double>(end.tv_nsec - begin.tv_nsec));
   }
   return least;
 }

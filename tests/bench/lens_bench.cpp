@@ -25,8 +25,8 @@ BENCHMARK(BM_FindChessboard)->Unit(benchmark::kMillisecond);
 void BM_CalibrateLens(benchmark::State& state) {
   const Camera camera = Camera::create(made::board_lens()).value();
   std::mt19937 random(2);
-  const auto scene = made::board_scene(
-      camera, made::chessboard(), static_cast<int>(state.range(0)), 35, 0.2, random);
+  const auto scene = made::board_scene(camera, made::chessboard(), static_cast<int>(state.range(0)),
+                                       35, 0.2, random);
   for ([[maybe_unused]] const auto _ : state) {
     const auto found = calibrate_lens(scene.views, camera.size(), {}, {});
     if (!found) {

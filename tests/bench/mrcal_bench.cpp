@@ -26,9 +26,7 @@ constexpr const char* kMissing =
     "no mrcal-calibrate-cameras on this computer: apt install mrcal brings it";
 constexpr double kFingerMm = 60;
 
-bool has_mrcal() {
-  return std::system("command -v mrcal-calibrate-cameras >/dev/null 2>&1") == 0;
-}
+bool has_mrcal() { return std::system("command -v mrcal-calibrate-cameras >/dev/null 2>&1") == 0; }
 
 struct Corners {
   Board board;
@@ -37,8 +35,7 @@ struct Corners {
 };
 
 /// mrcal's lens of these corners; its model by name.
-std::optional<std::vector<double>> mrcal_lens(const Corners& corners,
-                                              const std::string& model,
+std::optional<std::vector<double>> mrcal_lens(const Corners& corners, const std::string& model,
                                               double focal_px) {
   const test::TemporaryFolder folder;
   std::ofstream file(folder / "corners.vnl");
@@ -51,14 +48,8 @@ std::optional<std::vector<double>> mrcal_lens(const Corners& corners,
       "cd {0} && mrcal-calibrate-cameras --corners-cache corners.vnl --lensmodel {1} --focal {2} "
       "--object-spacing {3} --object-width-n {4} --object-height-n {5} --imagersize {6} {7} "
       "--skip-calobject-warp-solve --skip-regularization --outdir {0} 'view*.png' >log 2>&1",
-      folder.path().string(),
-      model,
-      focal_px,
-      corners.board.square_mm / 1000,
-      corners.board.columns,
-      corners.board.rows,
-      corners.size.width,
-      corners.size.height);
+      folder.path().string(), model, focal_px, corners.board.square_mm / 1000,
+      corners.board.columns, corners.board.rows, corners.size.width, corners.size.height);
   const bool done = std::system(command.c_str()) == 0;
   std::ostringstream text;
   text << std::ifstream(folder / (done ? "camera-0.cameramodel" : "log")).rdbuf();
@@ -125,8 +116,7 @@ void BM_SamePicturesAsMrcal(benchmark::State& state) {
     auto view =
         find_board(painter.paint(
                        scene.poses[i],
-                       [&](double x, double y) { return made::chessboard_ink(board, x, y); },
-                       i),
+                       [&](double x, double y) { return made::chessboard_ink(board, x, y); }, i),
                    board);
     if (!view) continue;
     view->name = scene.views[i].name;

@@ -37,9 +37,7 @@ struct Recorded {
   std::uint64_t lost = 0;  // on the way to the recorder
 };
 
-Result<Recorded> record(const fs::path& file,
-                        VideoCodec codec,
-                        test::FakeCamera& fake,
+Result<Recorded> record(const fs::path& file, VideoCodec codec, test::FakeCamera& fake,
                         std::size_t count) {
   auto camera = V4l2Camera::open(
       {&fake, "bench", []() -> Result<std::string> { return std::string("/dev/video0"); }}, {});
@@ -69,10 +67,8 @@ Result<Recorded> record(const fs::path& file,
 }
 
 /// Every frame that the camera gave, one after the other, byte for byte.
-bool is_exact(const fs::path& file,
-              const std::vector<std::vector<std::uint8_t>>& packets,
-              std::size_t count,
-              bool is_jpeg) {
+bool is_exact(const fs::path& file, const std::vector<std::vector<std::uint8_t>>& packets,
+              std::size_t count, bool is_jpeg) {
   auto video = VideoFile::open(file);
   if (!video || video->frame_count() != count) return false;
   std::vector<cv::Mat> images;

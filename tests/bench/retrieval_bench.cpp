@@ -50,8 +50,7 @@ void retrieval_of_a_finger(benchmark::State& state) {
     Markers& markers = asked.emplace_back(static_cast<std::size_t>(kMarkers / 2));
     for (std::size_t m = 0; m < markers.size(); ++m)
       markers[m] = {layouts(i, static_cast<Eigen::Index>(2 * m)) + off(random),
-                    layouts(i, static_cast<Eigen::Index>(2 * m + 1)) + off(random),
-                    m % 5 != 0,
+                    layouts(i, static_cast<Eigen::Index>(2 * m + 1)) + off(random), m % 5 != 0,
                     0.05};
   }
   std::size_t next = 0;

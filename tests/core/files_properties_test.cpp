@@ -21,19 +21,14 @@ double any_number(double scale) {
 
 CameraParameters any_camera() {
   CameraParameters p;
-  p.model = *rc::gen::element(CameraModel::kPinhole,
-                              CameraModel::kBrown,
-                              CameraModel::kFisheye,
+  p.model = *rc::gen::element(CameraModel::kPinhole, CameraModel::kBrown, CameraModel::kFisheye,
                               CameraModel::kOrthographic);
   p.width_px = *rc::gen::inRange(16, 4000), p.height_px = *rc::gen::inRange(16, 4000);
   p.cx_px = 0.5 * p.width_px + any_number(0.2 * p.width_px);
   p.cy_px = 0.5 * p.height_px + any_number(0.2 * p.height_px);
-  p.orientation = *rc::gen::element(Orientation::kNone,
-                                    Orientation::kFlipU,
-                                    Orientation::kFlipV,
-                                    Orientation::kRotate180,
-                                    Orientation::kRotate90,
-                                    Orientation::kRotate270);
+  p.orientation =
+      *rc::gen::element(Orientation::kNone, Orientation::kFlipU, Orientation::kFlipV,
+                        Orientation::kRotate180, Orientation::kRotate90, Orientation::kRotate270);
   if (p.model == CameraModel::kOrthographic) {
     p.mm_per_px = 1e-3 + std::abs(any_number(1.0));
     return p;

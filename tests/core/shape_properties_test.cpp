@@ -70,8 +70,7 @@ TEST(FaceLaws, AFaceKTimesAsWideIsKTimesAsFar) {
       RC_ASSERT((b->view_point_mm - k * a->view_point_mm).norm() < 1e-12 * b->view_point_mm.norm());
       RC_ASSERT((b->normal - a->normal).norm() < 1e-12);
       RC_ASSERT(near(other.pixel_area(u, 250.5)->on_face_mm2,
-                     k * k * one.pixel_area(u, 250.5)->on_face_mm2,
-                     1e-12));
+                     k * k * one.pixel_area(u, 250.5)->on_face_mm2, 1e-12));
       RC_ASSERT(near(other.length_at(u), k * one.length_at(u), 1e-12));
       const auto at = static_cast<std::size_t>(u);
       RC_ASSERT(near(other.columns()[at].z_sd_mm, k * one.columns()[at].z_sd_mm, 1e-9));

@@ -89,10 +89,7 @@ struct Bench {
 };
 
 /// What `alltact reconstruct --live` does: the newest frame, measured, as a line.
-void measure(V4l2Camera& camera,
-             Pipeline& pipeline,
-             std::size_t& measured,
-             std::size_t& touched,
+void measure(V4l2Camera& camera, Pipeline& pipeline, std::size_t& measured, std::size_t& touched,
              const std::atomic<bool>& is_over) {
   LatestFrameReader reader = camera.frames().reader();
   while (!is_over) {
@@ -124,10 +121,8 @@ void account_for(const std::filesystem::path& video, const RecorderCounts& count
 }
 
 /// What `alltact record` does, again and again, packets and grey in turn.
-void record(const std::shared_ptr<V4l2Camera>& camera,
-            const test::TemporaryFolder& folder,
-            Recorded& recorded,
-            const std::atomic<bool>& is_over) {
+void record(const std::shared_ptr<V4l2Camera>& camera, const test::TemporaryFolder& folder,
+            Recorded& recorded, const std::atomic<bool>& is_over) {
   for (int number = 0; !is_over; ++number) {
     CameraSource source(camera);
     RecorderSettings settings;
@@ -201,8 +196,7 @@ TEST(LiveUse, NothingGrowsAndNoFrameIsLostInSilence) {
   ASSERT_TRUE(test::flat_sensor_finger(false).save(flat.finger()).ok());
   test::FakeCamera fake(bench.camera);
   auto opened = V4l2Camera::open(
-      {&fake,
-       "soak",
+      {&fake, "soak",
        [&]() -> Result<std::string> {
          if (fake.is_plugged()) return std::string("/dev/video0");
          return Error{en::say("the camera is not connected"), std::string("soak"), ""};
@@ -211,8 +205,8 @@ TEST(LiveUse, NothingGrowsAndNoFrameIsLostInSilence) {
   ASSERT_TRUE(opened.ok());
   const std::shared_ptr<V4l2Camera> camera = std::move(*opened);
   ASSERT_TRUE(camera->lock().ok());
-  auto pipeline = Pipeline::create(
-      FingerSnapshot::of(bench.folder.path(), bench.finger).value(), PipelineSettings(), Job());
+  auto pipeline = Pipeline::create(FingerSnapshot::of(bench.folder.path(), bench.finger).value(),
+                                   PipelineSettings(), Job());
   ASSERT_TRUE(pipeline.ok()) << pipeline.error().sentence();
   std::atomic<bool> is_over{false};
   std::size_t measured = 0, touched = 0;
@@ -247,16 +241,11 @@ TEST(LiveUse, NothingGrowsAndNoFrameIsLostInSilence) {
       "%llu in silence), %d calibrated, %llu passed over by the onlooker; memory %.1f MB, grew "
       "%.2f "
       "MB; descriptors grew %.1f, threads %.1f, files %.1f\n",
-      measured,
-      touched,
-      static_cast<unsigned long long>(recorded.frames),
+      measured, touched, static_cast<unsigned long long>(recorded.frames),
       static_cast<unsigned long long>(recorded.dropped),
       static_cast<unsigned long long>(recorded.missing),
-      static_cast<unsigned long long>(recorded.silent),
-      calibrated,
-      static_cast<unsigned long long>(missed),
-      samples.front().resident_mb,
-      growth_mb,
+      static_cast<unsigned long long>(recorded.silent), calibrated,
+      static_cast<unsigned long long>(missed), samples.front().resident_mb, growth_mb,
       test::rise_of(samples, &test::ProcessFigures::descriptors),
       test::rise_of(samples, &test::ProcessFigures::threads),
       test::rise_of(samples, &test::ProcessFigures::files));

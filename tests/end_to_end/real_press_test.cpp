@@ -43,8 +43,8 @@ Sphere fit_sphere(const cv::Mat& depth_mm, double above_mm) {
         if (!(d > above_mm) || below < 1.0) continue;
         const double root = std::sqrt(below);
         const double error = d - (p[2] - p[3] + root);
-        const Eigen::Vector4d slope(
-            kMmPerPx * x / root, kMmPerPx * y / root, 1.0, p[3] / root - 1.0);
+        const Eigen::Vector4d slope(kMmPerPx * x / root, kMmPerPx * y / root, 1.0,
+                                    p[3] / root - 1.0);
         normal += slope * slope.transpose();
         right += slope * error;
         sum += std::abs(error);
@@ -68,23 +68,13 @@ TEST(RealPress, ABallComesOutRoundAndOfItsSize) {
              "distortion: []\norientation: none\n");
   const std::string finger = (folder / "finger").string(), out = (folder / "out").string();
   const std::string press = (kData / "press_rectified_sample.png").string();
-  ASSERT_EQ(run_alltact({"new",
-                         finger,
-                         "--kind",
-                         "flat",
-                         "--layer-mm",
-                         "3",
-                         "--camera",
+  ASSERT_EQ(run_alltact({"new", finger, "--kind", "flat", "--layer-mm", "3", "--camera",
                          (folder / "camera.yaml").string()})
                 .status,
             0);
-  const ProgramRun calibration = run_alltact({"calibrate",
-                                              finger,
-                                              press,
-                                              "--ball-radius-mm",
-                                              "4.0",
-                                              "--reference",
-                                              (kData / "press_rectified_ref.png").string()});
+  const ProgramRun calibration =
+      run_alltact({"calibrate", finger, press, "--ball-radius-mm", "4.0", "--reference",
+                   (kData / "press_rectified_ref.png").string()});
   ASSERT_EQ(calibration.status, 0) << calibration.errors;
   const ProgramRun run = run_alltact({"reconstruct", finger, press, "-o", out});
   ASSERT_EQ(run.status, 0) << run.errors;
@@ -95,12 +85,7 @@ TEST(RealPress, ABallComesOutRoundAndOfItsSize) {
   const Sphere sphere = fit_sphere(depth, 0.15);
   std::printf(
       "sphere: radius %.4f mm, top %.4f mm at (%.2f, %.2f), mean residual %.4f mm over %d pixels\n",
-      sphere.radius_mm,
-      sphere.top_mm,
-      sphere.u,
-      sphere.v,
-      sphere.residual_mm,
-      sphere.pixels);
+      sphere.radius_mm, sphere.top_mm, sphere.u, sphere.v, sphere.residual_mm, sphere.pixels);
   EXPECT_GT(sphere.pixels, 3000);
   EXPECT_NEAR(sphere.radius_mm, 4.0, 0.03 * 4.0);
   EXPECT_LT(sphere.residual_mm, 0.0305);  // 0.030
@@ -120,10 +105,8 @@ TEST(RealPress, ABallComesOutRoundAndOfItsSize) {
       ++count;
     }
   }
-  std::printf("untouched: mean %.4f mm pressed, %.4f mm bulged over %d pixels\n",
-              pressed / count,
-              bulged / count,
-              count);
+  std::printf("untouched: mean %.4f mm pressed, %.4f mm bulged over %d pixels\n", pressed / count,
+              bulged / count, count);
   EXPECT_GT(count, 50000);
   EXPECT_LT(pressed / count, 0.03);
   EXPECT_LT(bulged / count, -0.03);  // the halo is bright in the image

@@ -42,14 +42,8 @@ class RealTwin : public testing::Test {
     write_text(folder_ / "camera.yaml",
                "model: orthographic\nsize: [460, 345]\nmm_per_px: 0.051015\ncx: 229.5\ncy: 172.0\n"
                "distortion: []\norientation: none\n");
-    const ProgramRun made = run_alltact({"new",
-                                         finger(),
-                                         "--kind",
-                                         "flat",
-                                         "--layer-mm",
-                                         "3",
-                                         "--camera",
-                                         (folder_ / "camera.yaml").string()});
+    const ProgramRun made = run_alltact({"new", finger(), "--kind", "flat", "--layer-mm", "3",
+                                         "--camera", (folder_ / "camera.yaml").string()});
     ASSERT_EQ(made.status, 0) << made.errors;
   }
   [[nodiscard]] static std::string press() {
@@ -60,8 +54,8 @@ class RealTwin : public testing::Test {
   }
   [[nodiscard]] std::string finger() const { return (folder_ / "finger").string(); }
   [[nodiscard]] ProgramRun fit(const std::vector<std::string>& more) const {
-    std::vector<std::string> words{
-        "simulate", "--fit", finger(), "-o", (folder_ / "twin.yaml").string()};
+    std::vector<std::string> words{"simulate", "--fit", finger(), "-o",
+                                   (folder_ / "twin.yaml").string()};
     words.insert(words.end(), more.begin(), more.end());
     return run_alltact(words);
   }
@@ -93,10 +87,7 @@ TEST_F(RealTwin, ShowsTheHeldPressAsItIs) {
   const double rms = std::sqrt(sum / kProfile_px);
   std::printf(
       "radial profile, 0 to %d px: RMS %.3f, worst %.3f grey levels; the program says %.3f\n",
-      kProfile_px,
-      rms,
-      worst,
-      told);
+      kProfile_px, rms, worst, told);
   EXPECT_LT(rms, 2.0);
   EXPECT_LT(worst, 3.0);
   EXPECT_NEAR(rms, told, 0.5);
@@ -123,10 +114,7 @@ TEST_F(RealTwin, RefusalsSayWhatIsMissing) {
   refused({"--ball-radius-mm", "4", "--reference", untouched()}, "the finger has none");
   refused({untouched(), "--ball-radius-mm", "4", "--reference", untouched()},
           "no press can be used");
-  refused({(kRealSensor / "press_sample.png").string(),
-           "--ball-radius-mm",
-           "4",
-           "--reference",
+  refused({(kRealSensor / "press_sample.png").string(), "--ball-radius-mm", "4", "--reference",
            untouched()},
           "at the size of its camera");
   refused(

@@ -41,16 +41,8 @@ class Morning {
     simulate_recording();
     step({"simulate", scene("demo_presses"), "-o", file("presses"), "--threads", "2"});
     step({"simulate", scene("demo_objects"), "-o", file("objects"), "--threads", "2"});
-    step({"new",
-          file("finger"),
-          "--camera",
-          file("recording/camera.yaml"),
-          "--width-mm",
-          "24",
-          "--layer-mm",
-          "1.5",
-          "--per-row",
-          "6"});
+    step({"new", file("finger"), "--camera", file("recording/camera.yaml"), "--width-mm", "24",
+          "--layer-mm", "1.5", "--per-row", "6"});
     step({"reference", file("finger"), file("recording/frames.mkv")});
     step({"calibrate", file("finger"), file("presses"), "--ball-radius-mm", "4"});
   }
@@ -120,18 +112,14 @@ void print(const Evaluation& evaluation) {
   std::printf(
       "contact %.4f mm (%.3f covered), away %.4f mm, position %.4f mm, markers %.3f / %.3f px, "
       "%.2f ms\n",
-      evaluation.contact_depth_mm.value_or(-1),
-      evaluation.contact_coverage.value_or(-1),
-      evaluation.false_depth_mm.value_or(-1),
-      evaluation.position_mm.value_or(-1),
-      evaluation.marker_seen_px.value_or(-1),
-      evaluation.marker_hidden_px.value_or(-1),
+      evaluation.contact_depth_mm.value_or(-1), evaluation.contact_coverage.value_or(-1),
+      evaluation.false_depth_mm.value_or(-1), evaluation.position_mm.value_or(-1),
+      evaluation.marker_seen_px.value_or(-1), evaluation.marker_hidden_px.value_or(-1),
       evaluation.time_ms.value_or(-1));
 }
 
 /// The presses of the demonstration, drawn anew and with another finger or light.
-std::string changed_presses(const Day& day,
-                            const std::string& name,
+std::string changed_presses(const Day& day, const std::string& name,
                             const std::vector<std::pair<std::string, std::string>>& changes) {
   std::string text = text_of(scene("demo_presses"));
   for (const auto& [from, to] : changes) {
@@ -140,14 +128,8 @@ std::string changed_presses(const Day& day,
     if (place != std::string::npos) text.replace(place, from.size(), to);
   }
   write_text(day.file(name + ".yaml"), text);
-  EXPECT_EQ(run_alltact({"simulate",
-                         day.file(name + ".yaml"),
-                         "-o",
-                         day.file(name),
-                         "--seed",
-                         "4",
-                         "--threads",
-                         "2"})
+  EXPECT_EQ(run_alltact({"simulate", day.file(name + ".yaml"), "-o", day.file(name), "--seed", "4",
+                         "--threads", "2"})
                 .status,
             0);
   return day.file(name);
@@ -156,12 +138,8 @@ std::string changed_presses(const Day& day,
 /// The same finger passes; other light drifts; another layer needs a calibration.
 void expect_checked_well(const Day& day) {
   const auto check = [&](const std::string& presses) {
-    return run_alltact({"check",
-                        day.file("finger"),
-                        "--presses",
-                        presses + "/frame_00000.png",
-                        presses + "/frame_00002.png",
-                        presses + "/frame_00004.png"});
+    return run_alltact({"check", day.file("finger"), "--presses", presses + "/frame_00000.png",
+                        presses + "/frame_00002.png", presses + "/frame_00004.png"});
   };
   const ProgramRun same = check(changed_presses(day, "same", {}));
   EXPECT_EQ(same.status, 0) << same.errors;
@@ -180,21 +158,15 @@ void expect_checked_well(const Day& day) {
 
   // A wrong radius agrees with itself; a ball of another size gives it away.
   const std::string small =
-      changed_presses(day,
-                      "small",
+      changed_presses(day, "small",
                       {{"    radius_mm: 4.0", "    radius_mm: 3.0"},
                        {"[0.8, 0.4, 1.2, 0.6, 1.0, 0.9]", "[0.8, 0.6, 1.0, 0.7, 0.9, 0.8]"}});
   const auto check_small = [&] {
-    return nlohmann::json::parse(run_alltact({"check",
-                                              day.file("finger"),
-                                              "--presses",
-                                              small + "/frame_00000.png",
-                                              small + "/frame_00002.png",
-                                              small + "/frame_00004.png",
-                                              "--ball-radius-mm",
-                                              "3",
-                                              "--json"})
-                                     .output);
+    return nlohmann::json::parse(
+        run_alltact({"check", day.file("finger"), "--presses", small + "/frame_00000.png",
+                     small + "/frame_00002.png", small + "/frame_00004.png", "--ball-radius-mm",
+                     "3", "--json"})
+            .output);
   };
   // Sharper than any lens: the fits reckon with half a square pixel of blur.
   EXPECT_NEAR(check_small().at("factor").get<double>(), 1, 0.03);
@@ -237,13 +209,8 @@ TEST(SimulatedFinger, IsMeasuredAsWellAsPromised) {
   Day day;
   ASSERT_NO_FATAL_FAILURE(day.begin());
   day.step({"check", day.file("finger")});
-  day.step({"reconstruct",
-            day.file("finger"),
-            day.file("objects"),
-            "-o",
-            day.file("results"),
-            "--format",
-            "depth,points"});
+  day.step({"reconstruct", day.file("finger"), day.file("objects"), "-o", day.file("results"),
+            "--format", "depth,points"});
   const auto evaluation = evaluate_folder(day.file("objects"), day.file("results"));
   ASSERT_TRUE(evaluation.ok()) << evaluation.error().sentence();
   print(*evaluation);
@@ -267,32 +234,15 @@ TEST(SimulatedFinger, TheSameInputsGiveTheSameBytes) {
   Day day;
   ASSERT_NO_FATAL_FAILURE(day.begin());
   // Rendered by one thread and by two.
-  day.step({"simulate",
-            scene("demo_objects"),
-            "-o",
-            day.file("one"),
-            "--threads",
-            "1",
-            "--frames",
+  day.step({"simulate", scene("demo_objects"), "-o", day.file("one"), "--threads", "1", "--frames",
             "3"});
-  day.step({"simulate",
-            scene("demo_objects"),
-            "-o",
-            day.file("two"),
-            "--threads",
-            "2",
-            "--frames",
+  day.step({"simulate", scene("demo_objects"), "-o", day.file("two"), "--threads", "2", "--frames",
             "3"});
   EXPECT_EQ(contents_of(day.file("one")), contents_of(day.file("two")));
 
   // Reconstructed twice, and from a finger that was calibrated once more: all but the times.
-  day.step({"reconstruct",
-            day.file("finger"),
-            day.file("one"),
-            "-o",
-            day.file("first"),
-            "--threads",
-            "1"});
+  day.step({"reconstruct", day.file("finger"), day.file("one"), "-o", day.file("first"),
+            "--threads", "1"});
   const std::string finger_before = text_of(day.file("finger/calibration_report.json"));
   // Again from what the finger keeps.
   const auto kept_before = contents_of(day.file("finger"));
@@ -300,13 +250,8 @@ TEST(SimulatedFinger, TheSameInputsGiveTheSameBytes) {
   EXPECT_TRUE(contents_of(day.file("finger")) == kept_before);
   day.step({"calibrate", day.file("finger"), day.file("finger/presses"), "--ball-radius-mm", "4"});
   EXPECT_EQ(text_of(day.file("finger/calibration_report.json")), finger_before);
-  day.step({"reconstruct",
-            day.file("finger"),
-            day.file("one"),
-            "-o",
-            day.file("second"),
-            "--threads",
-            "2"});
+  day.step({"reconstruct", day.file("finger"), day.file("one"), "-o", day.file("second"),
+            "--threads", "2"});
   for (const auto& [name, content] : contents_of(day.file("first"))) {
     if (name == "results.jsonl") continue;
     EXPECT_EQ(text_of(day.file(fmt::format("second/{}", name))), content) << name;
@@ -326,29 +271,12 @@ TEST(SimulatedFinger, TheSameInputsGiveTheSameBytes) {
 TEST(SimulatedFinger, ThePaperMethodRunsBesideOurs) {
   Day day;
   ASSERT_NO_FATAL_FAILURE(day.begin());
-  day.step({"reconstruct",
-            day.file("finger"),
-            day.file("objects"),
-            "-o",
-            day.file("ours"),
-            "--format",
-            "depth,points"});
-  day.step({"calibrate",
-            day.file("finger"),
-            day.file("presses"),
-            "--ball-radius-mm",
-            "4",
-            "--method",
-            "paper"});
-  day.step({"reconstruct",
-            day.file("finger"),
-            day.file("objects"),
-            "-o",
-            day.file("paper"),
-            "--format",
-            "depth,points",
-            "--method",
-            "paper"});
+  day.step({"reconstruct", day.file("finger"), day.file("objects"), "-o", day.file("ours"),
+            "--format", "depth,points"});
+  day.step({"calibrate", day.file("finger"), day.file("presses"), "--ball-radius-mm", "4",
+            "--method", "paper"});
+  day.step({"reconstruct", day.file("finger"), day.file("objects"), "-o", day.file("paper"),
+            "--format", "depth,points", "--method", "paper"});
   const auto ours = evaluate_folder(day.file("objects"), day.file("ours"));
   const auto paper = evaluate_folder(day.file("objects"), day.file("paper"));
   ASSERT_TRUE(ours.ok() && paper.ok());

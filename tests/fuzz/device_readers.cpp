@@ -124,8 +124,8 @@ Reading read_descriptions(const std::string& bytes) {
 
 /// Format, size and row length in the first five bytes, the packet behind.
 Reading decode_packet(const std::string& bytes) {
-  static constexpr std::array kFormats{
-      PixelFormat::kGrey, PixelFormat::kYuyv, PixelFormat::kY16, PixelFormat::kMjpeg};
+  static constexpr std::array kFormats{PixelFormat::kGrey, PixelFormat::kYuyv, PixelFormat::kY16,
+                                       PixelFormat::kMjpeg};
   Supply supply(bytes);
   const PixelFormat format = kFormats.at(supply.byte() % kFormats.size());
   const int width = 1 + supply.byte() % 64, height = 1 + supply.byte() % 48;
@@ -205,11 +205,8 @@ Reading use_camera(const V4l2Device& device) {
     const auto taken = (*stream)->take();
     if (!taken.filled) continue;
     if (format->width_px <= 4096 && format->height_px <= 4096) {
-      const auto grey = decoder(static_cast<PixelFormat>(format->fourcc),
-                                format->width_px,
-                                format->height_px,
-                                *stride,
-                                taken.filled->bytes);
+      const auto grey = decoder(static_cast<PixelFormat>(format->fourcc), format->width_px,
+                                format->height_px, *stride, taken.filled->bytes);
       if (grey && grey->empty()) return {std::nullopt, "a frame without pixels"};
     }
     (void)(*stream)->requeue(*taken.filled);
@@ -294,11 +291,10 @@ std::vector<Reader> device_readers() {
        drive_dimmer},
       {"hid_words",
        [] {
-         return std::vector<std::string>{"0c45:7403/0 4 2:05=05,3:01=01",
-                                         "output id=0 bytes=8 at=1 range=0..255",
-                                         "id=3 at=1 type=s16be scale=0.01 unit=N at=3",
-                                         "at,type,scale,zero,unit,id\n1,s16,0.01,0,N,3\n",
-                                         "y/-x/0.6,0.8,0"};
+         return std::vector<std::string>{
+             "0c45:7403/0 4 2:05=05,3:01=01", "output id=0 bytes=8 at=1 range=0..255",
+             "id=3 at=1 type=s16be scale=0.01 unit=N at=3",
+             "at,type,scale,zero,unit,id\n1,s16,0.01,0,N,3\n", "y/-x/0.6,0.8,0"};
        },
        read_descriptions},
       {"camera_packet", packet_seeds, decode_packet},

@@ -89,8 +89,7 @@ Reading read_depth_video(const std::string& bytes) {
 
 template <class Law>
 std::function<Reading(const std::string&)> as_picture(
-    const std::string& name,
-    Result<cv::Mat> (*read)(const std::filesystem::path&),
+    const std::string& name, Result<cv::Mat> (*read)(const std::filesystem::path&),
     const Law& law) {
   return [file = ScratchFile(name), read, law](const std::string& bytes) {
     return reading_of(read(file.write(bytes)), law);
@@ -133,8 +132,8 @@ std::string surface_as(const std::string& name) {
   cv::Mat points(4, 5, CV_32FC3), depth(4, 5, CV_32FC1, cv::Scalar(0.5));
   for (int v = 0; v < points.rows; ++v)
     for (int u = 0; u < points.cols; ++u)
-      points.at<cv::Vec3f>(v, u) = {
-          0.5F * static_cast<float>(u), 0.25F * static_cast<float>(v), 40};
+      points.at<cv::Vec3f>(v, u) = {0.5F * static_cast<float>(u), 0.25F * static_cast<float>(v),
+                                    40};
   return written_by(name, [&](const std::filesystem::path& file) {
     (void)write_surface(file, points, depth).ok();
   });
@@ -149,16 +148,14 @@ std::string law_of_triangles(const Triangles& triangles) {
 }
 
 Reader triangles_of(std::string_view name, const std::string& file_name) {
-  return {name,
-          [file_name] { return std::vector{surface_as(file_name)}; },
+  return {name, [file_name] { return std::vector{surface_as(file_name)}; },
           [file = ScratchFile(file_name)](const std::string& bytes) {
             return reading_of(read_triangles(file.write(bytes)), law_of_triangles);
           }};
 }
 
 Reader mesh_of(std::string_view name, const std::string& file_name, const std::string& seed) {
-  return {name,
-          [seed] { return std::vector{seed}; },
+  return {name, [seed] { return std::vector{seed}; },
           [file = ScratchFile(file_name)](const std::string& bytes) {
             return reading_of(read_mesh(file.write(bytes)), [](const TriangleMesh& mesh) {
               for (const auto& triangle : mesh.triangles)
@@ -189,10 +186,8 @@ std::vector<Reader> picture_readers() {
       {"matroska_index", video_seeds, read_index},
       {"video", video_seeds, read_video},
       {"depth_video", depth_video_seeds, read_depth_video},
-      {"picture",
-       grey_seeds,
-       as_picture("p.png",
-                  grey_of_file,
+      {"picture", grey_seeds,
+       as_picture("p.png", grey_of_file,
                   [](const cv::Mat& image) {
                     return image.type() == CV_8UC1 && !image.empty() ? "" : "no grey picture";
                   })},
@@ -204,13 +199,10 @@ std::vector<Reader> picture_readers() {
              })};
        },
        as_picture(
-           "f.tiff",
-           read_float_image,
+           "f.tiff", read_float_image,
            [](const cv::Mat& image) { return image.depth() == CV_32F ? "" : "no float picture"; })},
-      {"depth_picture",
-       [] { return std::vector{depth_png(some_depth())}; },
-       as_picture("d.png",
-                  read_depth_png,
+      {"depth_picture", [] { return std::vector{depth_png(some_depth())}; },
+       as_picture("d.png", read_depth_png,
                   [](const cv::Mat& image) { return image.type() == CV_32FC1 ? "" : "no depth"; })},
       {"picture_note",
        [] { return std::vector{with_note(grey_png(camera_picture(1, kSize)), "light: 0.5")}; },
@@ -220,8 +212,7 @@ std::vector<Reader> picture_readers() {
       triangles_of("surface_ply", "s.ply"),
       triangles_of("surface_vtp", "s.vtp"),
       triangles_of("surface_glb", "s.glb"),
-      {"network",
-       network_seeds,
+      {"network", network_seeds,
        [](const std::string& bytes) {
          return reading_of(read_onnx_header(bytes, Where(std::string("n.onnx"))), kNoLaw);
        }},

@@ -68,8 +68,7 @@ inline constexpr auto kNoLaw = [](const auto&) { return std::string(); };
 
 /// For laws of what is written and read again.
 template <class T>
-[[nodiscard]] std::string same_again(const std::string& written,
-                                     const Result<T>& read,
+[[nodiscard]] std::string same_again(const std::string& written, const Result<T>& read,
                                      const std::function<std::string(const T&)>& write) {
   if (!read) return "what was written is refused: " + read.error().sentence() + "\n" + written;
   const std::string again = write(*read);

@@ -11,16 +11,12 @@
 
 namespace alltact::test {
 
-void PrintTo(const Reader& reader, std::ostream* stream) {
-  *stream << reader.name;
-}
+void PrintTo(const Reader& reader, std::ostream* stream) { *stream << reader.name; }
 
 namespace {
 
 /// About how many bytes a format may cost in all.
-std::size_t budget() {
-  return is_slow_run() ? 200'000'000 : 150'000;
-}
+std::size_t budget() { return is_slow_run() ? 200'000'000 : 150'000; }
 
 class Readers : public testing::TestWithParam<Reader> {};
 
@@ -54,9 +50,8 @@ TEST_P(Readers, MeetDamage) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, Readers, testing::ValuesIn(readers()), [](const auto& info) {
-  return std::string(info.param.name);
-});
+INSTANTIATE_TEST_SUITE_P(Each, Readers, testing::ValuesIn(readers()),
+                         [](const auto& info) { return std::string(info.param.name); });
 
 }  // namespace
 }  // namespace alltact::test

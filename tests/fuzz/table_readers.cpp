@@ -114,8 +114,7 @@ Reading read_force_table(const std::string& bytes) {
     if (!table.force_N.allFinite() || !table.layouts.allFinite())
       return std::string("a force or a place that is no number");
     const std::string written = table.to_csv();
-    return same_again<ForceTable>(written,
-                                  ForceTable::parse_part(written, "table.csv"),
+    return same_again<ForceTable>(written, ForceTable::parse_part(written, "table.csv"),
                                   [](const ForceTable& t) { return t.to_csv(); });
   });
 }

@@ -33,10 +33,10 @@ std::string source_text(const std::string& path) {
 std::string law_of_finger(const Finger& finger) {
   const auto written = finger.to_yaml();
   if (!written) return "read, but not to be written: " + written.error().sentence();
-  for (const std::string& file : {finger.force_model,
-                                  finger.reference ? finger.reference->video : std::string(),
-                                  finger.reference ? finger.reference->markers : std::string(),
-                                  finger.reference ? finger.reference->image : std::string()}) {
+  for (const std::string& file :
+       {finger.force_model, finger.reference ? finger.reference->video : std::string(),
+        finger.reference ? finger.reference->markers : std::string(),
+        finger.reference ? finger.reference->image : std::string()}) {
     const fs::path inside = fs::path(file).lexically_normal();
     if (inside.is_absolute() || (!inside.empty() && *inside.begin() == ".."))
       return "a file outside the folder: " + file;
@@ -78,8 +78,7 @@ CalibrationInputs some_inputs() {
 Reading read_inputs(const std::string& bytes) {
   return reading_of(CalibrationInputs::parse(bytes, "in.yaml"), [](const CalibrationInputs& in) {
     const std::string written = in.to_yaml();
-    return same_again<CalibrationInputs>(written,
-                                         CalibrationInputs::parse(written, "in.yaml"),
+    return same_again<CalibrationInputs>(written, CalibrationInputs::parse(written, "in.yaml"),
                                          [](const CalibrationInputs& i) { return i.to_yaml(); });
   });
 }
@@ -87,8 +86,7 @@ Reading read_inputs(const std::string& bytes) {
 Reading read_notes(const std::string& bytes) {
   return reading_of(PressSet::parse(bytes, "notes.yaml"), [](const PressSet& notes) {
     const std::string written = notes.to_yaml();
-    return same_again<PressSet>(written,
-                                PressSet::parse(written, "notes.yaml"),
+    return same_again<PressSet>(written, PressSet::parse(written, "notes.yaml"),
                                 [](const PressSet& n) { return n.to_yaml(); });
   });
 }
@@ -113,11 +111,11 @@ Reading read_gripper(const std::string& bytes) {
   return reading_of(Gripper::parse(bytes, "gripper.yaml"), [](const Gripper& gripper) {
     const auto written = gripper.to_yaml();
     if (!written) return "read, but not to be written: " + written.error().sentence();
-    return same_again<Gripper>(
-        *written, Gripper::parse(*written, "gripper.yaml"), [](const Gripper& g) {
-          const auto text = g.to_yaml();
-          return text ? *text : text.error().sentence();
-        });
+    return same_again<Gripper>(*written, Gripper::parse(*written, "gripper.yaml"),
+                               [](const Gripper& g) {
+                                 const auto text = g.to_yaml();
+                                 return text ? *text : text.error().sentence();
+                               });
   });
 }
 
@@ -135,8 +133,7 @@ Reading read_force_model(const std::string& bytes) {
     if (force && !(force->force_N.allFinite() && force->half_95_N.allFinite()))
       return std::string("a force that is no number");
     const std::string written = model.to_json();
-    return same_again<ForceModel>(written,
-                                  ForceModel::parse(written, "force.json"),
+    return same_again<ForceModel>(written, ForceModel::parse(written, "force.json"),
                                   [](const ForceModel& m) { return m.to_json(); });
   });
 }
@@ -164,8 +161,8 @@ Reading read_results(const std::string& bytes) {
 Reading read_frame_line(const std::string& bytes) {
   return reading_of(FrameLine::from_json(bytes), [](const FrameLine& line) {
     const std::string written = line.to_json();
-    return same_again<FrameLine>(
-        written, FrameLine::from_json(written), [](const FrameLine& l) { return l.to_json(); });
+    return same_again<FrameLine>(written, FrameLine::from_json(written),
+                                 [](const FrameLine& l) { return l.to_json(); });
   });
 }
 
@@ -185,12 +182,13 @@ Reading read_study(const std::string& bytes) {
   return reading_of(rows_of_lines(bytes, "study_rows.jsonl"), [](const auto& rows) {
     std::string written;
     for (const StudyRow& row : rows) written += line_of(row);
-    return same_again<std::vector<StudyRow>>(
-        written, rows_of_lines(written, "study_rows.jsonl"), [](const auto& again) {
-          std::string text;
-          for (const StudyRow& row : again) text += line_of(row);
-          return text;
-        });
+    return same_again<std::vector<StudyRow>>(written, rows_of_lines(written, "study_rows.jsonl"),
+                                             [](const auto& again) {
+                                               std::string text;
+                                               for (const StudyRow& row : again)
+                                                 text += line_of(row);
+                                               return text;
+                                             });
   });
 }
 
@@ -217,8 +215,7 @@ std::vector<Reader> yaml_readers() {
     };
   };
   return {
-      {"finger",
-       texts({kFinRay, kFlat}),
+      {"finger", texts({kFinRay, kFlat}),
        [](const std::string& bytes) {
          return reading_of(Finger::parse(bytes, "finger.yaml"), law_of_finger);
        }},
@@ -230,10 +227,8 @@ std::vector<Reader> yaml_readers() {
               "229.5\n  cy: 172.0\n"}),
        read_camera},
       {"scene",
-       sources({"resources/scenes/demo_presses.yaml",
-                "resources/scenes/five_effects.yaml",
-                "resources/scenes/pushed_finger.yaml",
-                "resources/scenes/hard_two_contacts.yaml",
+       sources({"resources/scenes/demo_presses.yaml", "resources/scenes/five_effects.yaml",
+                "resources/scenes/pushed_finger.yaml", "resources/scenes/hard_two_contacts.yaml",
                 "resources/scenes/flat_press.yaml"}),
        [](const std::string& bytes) {
          return reading_of(Scene::parse(bytes, "scene.yaml"), kNoLaw);

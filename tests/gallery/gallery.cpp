@@ -106,8 +106,7 @@ Shown start_panel() {
   camera.identity.name = "Finger camera";
   camera.identity.by_id = "usb-Maker_Camera_0001-video-index0";
   FoundCamera busy = camera;
-  busy.problem = Error{en::say("another program uses it"),
-                       std::string("/dev/video2"),
+  busy.problem = Error{en::say("another program uses it"), std::string("/dev/video2"),
                        en::say("closing that program")};
   panel->set_cameras({camera, busy});
   panel->set_last("finger left-07");
@@ -120,9 +119,7 @@ Shown new_finger_dialog() {
   });
 }
 
-Shown export_dialog() {
-  return std::make_unique<ExportDialog>("/fingers/left-07");
-}
+Shown export_dialog() { return std::make_unique<ExportDialog>("/fingers/left-07"); }
 
 Shown mapping_plot() {
   auto plot = std::make_unique<MappingPlot>();
@@ -172,9 +169,7 @@ Shown second_finger_dialog() {
       SecondFinger{"/fingers/right-03", "/recordings/grasp_right.mkv"});
 }
 
-Shown settings_dialog() {
-  return std::make_unique<SettingsDialog>(Appearance{}, nullptr);
-}
+Shown settings_dialog() { return std::make_unique<SettingsDialog>(Appearance{}, nullptr); }
 
 /// The place with nothing to record from.
 class EmptyRecording : public QWidget {
@@ -197,9 +192,7 @@ class EmptyRecording : public QWidget {
   RecordPage place_;
 };
 
-Shown empty_recording() {
-  return std::make_unique<EmptyRecording>();
-}
+Shown empty_recording() { return std::make_unique<EmptyRecording>(); }
 
 }  // namespace
 

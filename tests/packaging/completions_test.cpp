@@ -98,15 +98,13 @@ Offers bash_offers(const std::string& program, const Words& lines) {
           program + " | sed 's/.*-F \\([^ ]*\\) .*/\\1/') " + program +
           "\n"
           "  if ((${#COMPREPLY[@]})); then printf '%s\\n' \"${COMPREPLY[@]}\"; fi\n}\n",
-      lines,
-      "bash --norc");
+      lines, "bash --norc");
 }
 
 Offers fish_offers(const std::string& program, const Words& lines) {
   return offers_of("source '" + kBuilt + "/fish/" + program +
                        ".fish'\nfunction ask; complete -C $argv[1]; end\n",
-                   lines,
-                   "fish --no-config");
+                   lines, "fish --no-config");
 }
 
 /// A zsh at a terminal of its own, as its completion needs one; what would be offered is taken down
@@ -150,8 +148,7 @@ print READY
                                 "  [[ $line == *$1* ]] && return; done }\nuntil_ READY\n"
                                 "ask() { zpty -w -n z $'\\C-u'\"$1\"$'\\t'; until_ THE_END; cat '" +
                                 offered + "' }\n",
-                            lines,
-                            "timeout 120 zsh -f");
+                            lines, "timeout 120 zsh -f");
   for (auto& [line, words] : offers) {  // under several headlines
     std::sort(words.begin(), words.end());
     words.erase(std::unique(words.begin(), words.end()), words.end());
@@ -163,15 +160,11 @@ struct Shell {
   const char* name;
   Offers (*ask)(const std::string& program, const Words& lines);
 };
-void PrintTo(const Shell& shell, std::ostream* out) {
-  *out << shell.name;
-}
+void PrintTo(const Shell& shell, std::ostream* out) { *out << shell.name; }
 
 class Completions : public testing::TestWithParam<Shell> {};
-INSTANTIATE_TEST_SUITE_P(Shells,
-                         Completions,
-                         testing::Values(Shell{"bash", bash_offers},
-                                         Shell{"zsh", zsh_offers},
+INSTANTIATE_TEST_SUITE_P(Shells, Completions,
+                         testing::Values(Shell{"bash", bash_offers}, Shell{"zsh", zsh_offers},
                                          Shell{"fish", fish_offers}),
                          [](const auto& of) { return of.param.name; });
 

@@ -91,14 +91,8 @@ TEST_F(Kinds, YamlFilesAreToldApartByWhatStandsInThem) {
     if (++scenes == 8) break;
   }
   write_flat_camera(folder_ / "camera.yaml");
-  ASSERT_EQ(run_alltact({"new",
-                         (folder_ / "finger").string(),
-                         "--camera",
-                         (folder_ / "camera.yaml").string(),
-                         "--layer-mm",
-                         "3",
-                         "--kind",
-                         "flat"})
+  ASSERT_EQ(run_alltact({"new", (folder_ / "finger").string(), "--camera",
+                         (folder_ / "camera.yaml").string(), "--layer-mm", "3", "--kind", "flat"})
                 .status,
             0);
   EXPECT_EQ(kind_of(folder_ / "finger/finger.yaml"), "application/x-alltact-finger");

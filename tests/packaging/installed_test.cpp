@@ -64,21 +64,16 @@ TEST_F(Installed, LoadsNothingFromWhereItWasBuilt) {
 }
 
 TEST_F(Installed, HoldsWhatADesktopAndAShellWant) {
-  for (const char* file : {"share/applications/alltact-studio.desktop",
-                           "share/metainfo/alltact-studio.metainfo.xml",
-                           "share/mime/packages/alltact.xml",
-                           "share/thumbnailers/alltact.thumbnailer",
-                           "share/icons/hicolor/48x48/apps/alltact-studio.png",
-                           "share/icons/hicolor/scalable/apps/alltact-studio.svg",
-                           "share/man/man1/alltact-calibrate.1",
-                           "share/bash-completion/completions/alltact",
-                           "share/zsh/vendor-completions/_alltact-studio",
-                           "share/fish/vendor_completions.d/alltact.fish",
-                           "share/doc/alltact/README.md",
-                           "share/doc/alltact/resources/help/manual.md",
-                           "share/doc/alltact/core/finger/README.md",
-                           "share/doc/alltact/tests/bench/README.md",
-                           "lib/udev/rules.d/70-alltact.rules"})
+  for (const char* file :
+       {"share/applications/alltact-studio.desktop", "share/metainfo/alltact-studio.metainfo.xml",
+        "share/mime/packages/alltact.xml", "share/thumbnailers/alltact.thumbnailer",
+        "share/icons/hicolor/48x48/apps/alltact-studio.png",
+        "share/icons/hicolor/scalable/apps/alltact-studio.svg",
+        "share/man/man1/alltact-calibrate.1", "share/bash-completion/completions/alltact",
+        "share/zsh/vendor-completions/_alltact-studio",
+        "share/fish/vendor_completions.d/alltact.fish", "share/doc/alltact/README.md",
+        "share/doc/alltact/resources/help/manual.md", "share/doc/alltact/core/finger/README.md",
+        "share/doc/alltact/tests/bench/README.md", "lib/udev/rules.d/70-alltact.rules"})
     EXPECT_TRUE(fs::is_regular_file(tree() / file)) << file;
 }
 

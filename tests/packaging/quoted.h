@@ -9,8 +9,6 @@ namespace alltact::test {
 inline const std::filesystem::path kTop = ALLTACT_SOURCE_DIR;
 
 /// Of a name without quotes in it.
-inline std::string quoted(const std::filesystem::path& file) {
-  return "'" + file.string() + "'";
-}
+inline std::string quoted(const std::filesystem::path& file) { return "'" + file.string() + "'"; }
 
 }  // namespace alltact::test

@@ -19,9 +19,7 @@ namespace {
 
 // The same code runs inside other programs, behind their own open, close, mmap and poll: so it asks
 // the kernel itself for these.
-int raw_close(int descriptor) {
-  return static_cast<int>(syscall(SYS_close, descriptor));
-}
+int raw_close(int descriptor) { return static_cast<int>(syscall(SYS_close, descriptor)); }
 void* raw_map(std::size_t length, int descriptor, std::int64_t offset) {
   return reinterpret_cast<void*>(  // NOLINT: the kernel's calls give numbers
       syscall(SYS_mmap, nullptr, length, PROT_READ | PROT_WRITE, MAP_SHARED, descriptor, offset));
@@ -267,9 +265,7 @@ void* FakeCamera::mmap(std::size_t length, int descriptor, std::int64_t offset) 
   return raw_map(length, memory_, offset);
 }
 
-int FakeCamera::munmap(void* address, std::size_t length) {
-  return raw_unmap(address, length);
-}
+int FakeCamera::munmap(void* address, std::size_t length) { return raw_unmap(address, length); }
 
 int FakeCamera::poll(pollfd* descriptors, nfds_t count, int timeout_ms) {
   std::vector<pollfd> all(descriptors, descriptors + count);
@@ -337,8 +333,7 @@ int FakeCamera::next_event(Handle& handle, v4l2_event& event) {
   return 0;
 }
 
-int FakeCamera::subscribe(Handle& handle,
-                          unsigned long request,
+int FakeCamera::subscribe(Handle& handle, unsigned long request,
                           const v4l2_event_subscription& wish) {
   const bool is_on = request == VIDIOC_SUBSCRIBE_EVENT;
   if (wish.type == V4L2_EVENT_ALL && !is_on) {

@@ -16,15 +16,8 @@ FakeControls::FakeControls() {
       {V4L2_CID_BRIGHTNESS, "Brightness", kInteger, 0, 255, 1, 128},
       {V4L2_CID_AUTO_WHITE_BALANCE, "White Balance, Automatic", kBoolean, 0, 1, 1, 1},
       {V4L2_CID_GAIN, "Gain", kInteger, 0, 100, 1, 10},
-      {V4L2_CID_WHITE_BALANCE_TEMPERATURE,
-       "White Balance Temperature",
-       kInteger,
-       2800,
-       6500,
-       10,
-       4600,
-       V4L2_CID_AUTO_WHITE_BALANCE,
-       0},
+      {V4L2_CID_WHITE_BALANCE_TEMPERATURE, "White Balance Temperature", kInteger, 2800, 6500, 10,
+       4600, V4L2_CID_AUTO_WHITE_BALANCE, 0},
       {V4L2_CID_CAMERA_CLASS, "Camera Controls", kClass, 0, 0, 0, 0},
       {V4L2_CID_EXPOSURE_AUTO,
        "Auto Exposure",
@@ -36,21 +29,13 @@ FakeControls::FakeControls() {
        0,
        0,
        {{1, "Manual Mode"}, {3, "Aperture Priority Mode"}}},
-      {V4L2_CID_EXPOSURE_ABSOLUTE,
-       "Exposure Time, Absolute",
-       kInteger,
-       3,
-       2047,
-       1,
-       250,
-       V4L2_CID_EXPOSURE_AUTO,
-       V4L2_EXPOSURE_MANUAL},
+      {V4L2_CID_EXPOSURE_ABSOLUTE, "Exposure Time, Absolute", kInteger, 3, 2047, 1, 250,
+       V4L2_CID_EXPOSURE_AUTO, V4L2_EXPOSURE_MANUAL},
       {V4L2_CID_FOCUS_ABSOLUTE, "Focus, Absolute", kInteger, 0, 250, 5, 0, V4L2_CID_FOCUS_AUTO, 0},
       {V4L2_CID_FOCUS_AUTO, "Focus, Automatic Continuous", kBoolean, 0, 1, 1, 1},
   };
-  std::sort(controls_.begin(), controls_.end(), [](const Control& a, const Control& b) {
-    return a.id < b.id;
-  });
+  std::sort(controls_.begin(), controls_.end(),
+            [](const Control& a, const Control& b) { return a.id < b.id; });
   reset();
 }
 

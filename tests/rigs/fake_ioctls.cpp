@@ -16,9 +16,7 @@ void write_text(std::uint8_t (&field)[N], const std::string& text) {
   std::memcpy(field, text.data(), std::min(text.size(), N - 1));
 }
 
-std::uint32_t bytes_per_pixel(std::uint32_t fourcc) {
-  return fourcc == V4L2_PIX_FMT_GREY ? 1 : 2;
-}
+std::uint32_t bytes_per_pixel(std::uint32_t fourcc) { return fourcc == V4L2_PIX_FMT_GREY ? 1 : 2; }
 
 /// What a handle of lower priority may not do.
 bool is_a_change(unsigned long request) {
@@ -186,8 +184,8 @@ int FakeCamera::enumerate(unsigned long request, void* argument) {
     return 0;
   }
   auto& answer = *static_cast<v4l2_frmivalenum*>(argument);
-  const auto size = std::find(
-      options_.sizes.begin(), options_.sizes.end(), std::pair(answer.width, answer.height));
+  const auto size = std::find(options_.sizes.begin(), options_.sizes.end(),
+                              std::pair(answer.width, answer.height));
   if (!knows(answer.pixel_format) || size == options_.sizes.end() ||
       answer.index >= options_.rates.size())
     return EINVAL;
@@ -207,10 +205,9 @@ void FakeCamera::adjust(v4l2_pix_format& image) const {
     return std::abs(std::int64_t{size.first} - std::int64_t{wish.first}) +
            std::abs(std::int64_t{size.second} - std::int64_t{wish.second});
   };
-  const auto nearest = std::min_element(
-      options_.sizes.begin(), options_.sizes.end(), [&](const auto& a, const auto& b) {
-        return distance(a) < distance(b);
-      });
+  const auto nearest =
+      std::min_element(options_.sizes.begin(), options_.sizes.end(),
+                       [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
   std::tie(image.width, image.height) = *nearest;
   if (is_refusing_size_) image.width = 160, image.height = 120;
   const bool is_jpeg = image.pixelformat == V4L2_PIX_FMT_MJPEG;

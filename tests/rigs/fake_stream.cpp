@@ -22,24 +22,13 @@ void* raw_map(std::size_t length, int descriptor) {
       syscall(SYS_mmap, nullptr, length, PROT_READ | PROT_WRITE, MAP_SHARED, descriptor, 0));
 }
 
-std::vector<std::uint8_t> jpeg_of(const std::vector<std::uint8_t>& rgb,
-                                  std::uint32_t width,
-                                  std::uint32_t height,
-                                  std::uint32_t quality) {
+std::vector<std::uint8_t> jpeg_of(const std::vector<std::uint8_t>& rgb, std::uint32_t width,
+                                  std::uint32_t height, std::uint32_t quality) {
   tjhandle handle = tjInitCompress();
   unsigned char* bytes = nullptr;
   unsigned long size = 0;  // NOLINT: TurboJPEG's type
-  tjCompress2(handle,
-              rgb.data(),
-              static_cast<int>(width),
-              0,
-              static_cast<int>(height),
-              TJPF_RGB,
-              &bytes,
-              &size,
-              TJSAMP_422,
-              static_cast<int>(quality),
-              0);
+  tjCompress2(handle, rgb.data(), static_cast<int>(width), 0, static_cast<int>(height), TJPF_RGB,
+              &bytes, &size, TJSAMP_422, static_cast<int>(quality), 0);
   std::vector<std::uint8_t> jpeg(bytes, bytes + size);
   tjFree(bytes);
   tjDestroy(handle);

@@ -81,8 +81,8 @@ class HidDevice {
       hidraw_report_descriptor descriptor{};
       descriptor.size = sizeof kDescriptor;
       std::memcpy(descriptor.value, kDescriptor, sizeof kDescriptor);
-      umockdev_ioctl_data_update(
-          data, 0, reinterpret_cast<guint8*>(&descriptor), sizeof descriptor);
+      umockdev_ioctl_data_update(data, 0, reinterpret_cast<guint8*>(&descriptor),
+                                 sizeof descriptor);
     } else if (_IOC_TYPE(request) == 'H' && _IOC_NR(request) == 0x06) {  // HIDIOCSFEATURE
       const std::lock_guard lock(mutex_);
       feature_.assign(data->data, data->data + data->data_len);

@@ -51,9 +51,7 @@ class TestBed {
   }
 
   /// A USB HID device with one node, /dev/hidrawNUMBER.
-  static std::string hid(int number,
-                         const std::string& vendor,
-                         const std::string& product,
+  static std::string hid(int number, const std::string& vendor, const std::string& product,
                          const std::string& name) {
     const std::string n = std::to_string(number);
     const std::string usb = "/devices/pci/usb1/2-" + n, interface = usb + "/2-" + n + ":1.0";

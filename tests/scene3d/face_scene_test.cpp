@@ -18,14 +18,10 @@ namespace {
 constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 const cv::Size kSize{800, 500};
 
-double distance(const cv::Vec3b& a, const cv::Vec3d& b) {
-  return cv::norm(cv::Vec3d(a) - b);
-}
+double distance(const cv::Vec3b& a, const cv::Vec3d& b) { return cv::norm(cv::Vec3d(a) - b); }
 
 /// Blue, green, red, as a picture has them.
-cv::Vec3d of(MapColour c) {
-  return {double(c.blue), double(c.green), double(c.red)};
-}
+cv::Vec3d of(MapColour c) { return {double(c.blue), double(c.green), double(c.red)}; }
 
 class FaceSceneTest : public testing::Test {
  protected:

@@ -224,14 +224,8 @@ TEST_F(VtkViewTest, ComesCloserByTheWheelStepByStep) {
   ASSERT_TRUE(ball_.wait_for_picture());
   const auto wheel = [&](int eighths) {
     const QPointF at(300, 200);
-    QWheelEvent event(at,
-                      ball_.view->mapToGlobal(at),
-                      {},
-                      {0, eighths},
-                      Qt::NoButton,
-                      {},
-                      Qt::NoScrollPhase,
-                      false);
+    QWheelEvent event(at, ball_.view->mapToGlobal(at), {}, {0, eighths}, Qt::NoButton, {},
+                      Qt::NoScrollPhase, false);
     QApplication::sendEvent(ball_.view, &event);
   };
   const double before = ball_.camera()->GetDistance();
@@ -287,9 +281,7 @@ TEST_F(VtkViewTest, IsSupportedHere) {
 }
 
 /// On Qt's offscreen platform there is no OpenGL.
-TEST(VtkViewWithoutOpenGl, IsKnownBeforeAnythingBreaks) {
-  EXPECT_FALSE(VtkView::is_supported());
-}
+TEST(VtkViewWithoutOpenGl, IsKnownBeforeAnythingBreaks) { EXPECT_FALSE(VtkView::is_supported()); }
 
 }  // namespace
 }  // namespace alltact::test

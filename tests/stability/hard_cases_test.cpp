@@ -25,13 +25,8 @@ TEST(HardCases, OursHoldWhereThePlainFormulaFails) {
   for (const HardRow& row : rows()) {
     const HardCase one = judged(row, row.own_answers);
     std::printf("[ figures  ] %s: plain %.2g, ours %.2g, bound %.2g %s, answered %.3f of %zu\n",
-                one.what.c_str(),
-                one.naive_score.error,
-                one.own_score.error,
-                one.bound,
-                one.unit.c_str(),
-                one.own_score.answered,
-                row.questions.size());
+                one.what.c_str(), one.naive_score.error, one.own_score.error, one.bound,
+                one.unit.c_str(), one.own_score.answered, row.questions.size());
     EXPECT_TRUE(one.holds()) << one.what;
     EXPECT_TRUE(one.naive_fails()) << one.what;
     // What only just fails would show little.

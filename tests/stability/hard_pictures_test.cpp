@@ -55,10 +55,9 @@ class HardPictures : public testing::Test {
     return fmt::format("{}", fmt::join(result.problems, "; "));
   }
 
-  Pipeline pipeline_ =
-      Pipeline::with_library(ReferenceLibrary::single(test::untouched_picture(1)).value(),
-                             FingerSnapshot::of({}, test::flat_sensor_finger(true)).value(),
-                             PipelineSettings{});
+  Pipeline pipeline_ = Pipeline::with_library(
+      ReferenceLibrary::single(test::untouched_picture(1)).value(),
+      FingerSnapshot::of({}, test::flat_sensor_finger(true)).value(), PipelineSettings{});
 };
 
 double part_measured(const DepthMap& map) {

@@ -29,8 +29,8 @@ Press press_at(double u, double v, double depth_mm, std::mt19937& random, const 
 std::vector<Press> good_presses(std::mt19937& random) {
   std::vector<Press> presses;
   for (int i = 0; i < 6; ++i)
-    presses.push_back(press_at(
-        120 + 30.0 * i, 100 + 40.0 * (i % 3), 0.35 + 0.14 * i, random, fmt::format("p{}", i)));
+    presses.push_back(press_at(120 + 30.0 * i, 100 + 40.0 * (i % 3), 0.35 + 0.14 * i, random,
+                               fmt::format("p{}", i)));
   return presses;
 }
 
@@ -52,8 +52,8 @@ double mapping_error_mm(const Calibration& calibration) {
 
 /// All that a calibration tells its user beside figures.
 std::string reported(const Calibration& calibration) {
-  return fmt::format(
-      "{} | {}", fmt::join(calibration.left_out, "; "), fmt::join(calibration.remarks, "; "));
+  return fmt::format("{} | {}", fmt::join(calibration.left_out, "; "),
+                     fmt::join(calibration.remarks, "; "));
 }
 
 bool is_finite(const Calibration& c) {
@@ -149,8 +149,8 @@ TEST(HardPresses, OnesOverTheEdgeGiveTheMappingAndAreMarkedAsCut) {
   std::mt19937 random(37);
   std::vector<Press> presses;
   for (int i = 0; i < 6; ++i)
-    presses.push_back(press_at(
-        i % 2 == 0 ? 4.0 : 395.0, 60 + 35.0 * i, 0.4 + 0.12 * i, random, fmt::format("p{}", i)));
+    presses.push_back(press_at(i % 2 == 0 ? 4.0 : 395.0, 60 + 35.0 * i, 0.4 + 0.12 * i, random,
+                               fmt::format("p{}", i)));
   const auto calibration = solved(presses);
   if (!calibration.ok()) {
     EXPECT_THAT(calibration.error().sentence(),

@@ -50,8 +50,7 @@ FaceEdges edges_of(const Ruled& face, const Camera& camera, double noise_px, uns
           camera.project(face.point_mm(static_cast<double>(i) / kSteps, side * face.width_mm));
       if (before && now)
         for (int u = std::max(0, static_cast<int>(std::ceil(std::min(before->x(), now->x()))));
-             u <= std::min(size.width - 1.0, std::max(before->x(), now->x()));
-             ++u) {
+             u <= std::min(size.width - 1.0, std::max(before->x(), now->x())); ++u) {
           const double part = (u - before->x()) / (now->x() - before->x());
           const double v = before->y() + part * (now->y() - before->y());
           const auto k = static_cast<std::size_t>(u);
@@ -165,8 +164,8 @@ TEST(HardShapes, OneThatIsEverywhereAsFar) {
 TEST(HardShapes, OneThatRecedesByALittle) {
   ALLTACT_SKIP_IF_AWAITED();
   for (const double incline_deg : {-0.02, 0.001, 0.3})
-    expect_shape(
-        straight(-50, 60, incline_deg, 100), Camera::create(pinhole()).value(), 0.001, 0.97);
+    expect_shape(straight(-50, 60, incline_deg, 100), Camera::create(pinhole()).value(), 0.001,
+                 0.97);
 }
 
 TEST(HardShapes, OneWhoseBaseTouchesTheLens) {

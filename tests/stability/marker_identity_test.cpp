@@ -70,8 +70,7 @@ std::vector<int> up_to_a_quarter(int markers, std::mt19937& random) {
 
 /// A place on the side faces: every other one within a step and a half of a marker.
 MarkedFinger::Disc false_disc(const MarkedFinger& finger,
-                              const std::vector<MarkedFinger::Point>& arc,
-                              std::mt19937& random) {
+                              const std::vector<MarkedFinger::Point>& arc, std::mt19937& random) {
   const double side = random() % 2 == 0 ? -1 : 1;
   const double off = random() % 2 == 0 ? finger.off_face_mm + drawn_between(-2, 2, random)
                                        : drawn_between(4, 12, random);
@@ -83,8 +82,7 @@ double apart(const MarkedFinger::Disc& a, const MarkedFinger::Disc& b) {
 }
 
 /// False ones that leave the true ones as they are.
-std::vector<MarkedFinger::Disc> third_as_many_false(const MarkedFinger& finger,
-                                                    const Bend& bend,
+std::vector<MarkedFinger::Disc> third_as_many_false(const MarkedFinger& finger, const Bend& bend,
                                                     std::mt19937& random) {
   const auto dots = finger.discs(bend);
   std::vector<MarkedFinger::Disc> discs;
@@ -134,20 +132,14 @@ struct IdentityTally {
         "[ figures  ] %s: of %d frames %d with a marker taken for another, %d with a false dot "
         "taken for one, %d lost; %.1f %% of the markers seen, "
         "%.2f false dots for each marker\n",
-        what,
-        frames,
-        slipped,
-        false_seen,
-        lost,
+        what, frames, slipped, false_seen, lost,
         100.0 * static_cast<double>(seen) / static_cast<double>(std::max(1L, markers)),
         static_cast<double>(false_dots) / static_cast<double>(std::max(1L, true_dots)));
   }
 };
 
 /// As a detector gives them, in no order.
-std::vector<Dot> dots_among_false(const MarkedFinger& finger,
-                                  const Bend& bend,
-                                  long* false_dots,
+std::vector<Dot> dots_among_false(const MarkedFinger& finger, const Bend& bend, long* false_dots,
                                   std::mt19937& random) {
   std::normal_distribution<double> noise(0.0, 0.05);
   const auto discs = finger.discs(bend);
@@ -155,8 +147,8 @@ std::vector<Dot> dots_among_false(const MarkedFinger& finger,
   std::vector<Dot> dots;
   const double middle = 0.5 * (finger.height - 1);
   const auto add = [&](const MarkedFinger::Disc& disc) {
-    Dot dot{
-        disc.u + noise(random), disc.v + noise(random), disc.radius_u, finger.dot_contrast, 0.05};
+    Dot dot{disc.u + noise(random), disc.v + noise(random), disc.radius_u, finger.dot_contrast,
+            0.05};
     dot.upper = disc.v < middle;
     dots.push_back(dot);
   };
@@ -209,10 +201,8 @@ TEST(MarkerIdentity, FollowedMarkersSlipInLessThanOneOfAThousandFrames) {
     for (int i = 0; i < kFrames; ++i) {
       const double t = 0.5 - 0.5 * std::cos(2 * M_PI * i / kFrames);
       const auto mixed = [t](double a, double b) { return a + t * (b - a); };
-      const Bend bend{mixed(from.curl, to.curl),
-                      mixed(from.hook, to.hook),
-                      mixed(from.sway, to.sway),
-                      mixed(from.lean, to.lean)};
+      const Bend bend{mixed(from.curl, to.curl), mixed(from.hook, to.hook),
+                      mixed(from.sway, to.sway), mixed(from.lean, to.lean)};
       if (i % 10 == 0) {  // others are hidden, and dirt is elsewhere
         hidden = up_to_a_quarter(2 * finger.per_row, random);
         seed = random();
@@ -221,9 +211,8 @@ TEST(MarkerIdentity, FollowedMarkersSlipInLessThanOneOfAThousandFrames) {
       std::mt19937 places(seed);
       std::vector<MarkedFinger::Extra> dirt;
       for (const auto& disc : third_as_many_false(finger, bend, places))
-        dirt.push_back(
-            {disc,
-             (finger.side_level + finger.dot_contrast) * (1.2 - 0.4 * disc.u / finger.width)});
+        dirt.push_back({disc, (finger.side_level + finger.dot_contrast) *
+                                  (1.2 - 0.4 * disc.u / finger.width)});
       tally.false_dots += static_cast<long>(dirt.size());
       const cv::Mat grey = finger.with_noise(finger.clean(bend, hidden, dirt), random);
       tally.add(tracker(grey, finger.shape(bend), nullptr), finger.discs(bend));

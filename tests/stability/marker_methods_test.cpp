@@ -47,22 +47,9 @@ std::string drawn_scene(const std::string& more, bool is_dark, unsigned seed) {
       "      - {{at_mm: [0.0, 3.0, 0.0], power: {}}}\n"
       "      - {{at_mm: [4.0, 0.0, -20.0], power: {}, aim_mm: [71.0, 0.0, 93.0], lobe: 8}}\n"
       "  - {{use: read, sd: {}}}\n  - {{use: quantisation}}\n{}",
-      kPosesLearnt,
-      524.0,
-      524.0,
-      draw(20, 27),
-      per_row,
-      is_dark ? "dark" : "bright",
-      draw(95, 118),
-      draw(1.0, 1.6),
-      draw(3.5, 6.0),
-      is_dark ? 0.05 : draw(0.6, 0.95),
-      is_dark ? 0.45 : 0.12,
-      270000 * light,
-      270000 * light,
-      3300000 * light,
-      draw(0.5, 2.0),
-      more);
+      kPosesLearnt, 524.0, 524.0, draw(20, 27), per_row, is_dark ? "dark" : "bright", draw(95, 118),
+      draw(1.0, 1.6), draw(3.5, 6.0), is_dark ? 0.05 : draw(0.6, 0.95), is_dark ? 0.45 : 0.12,
+      270000 * light, 270000 * light, 3300000 * light, draw(0.5, 2.0), more);
 }
 
 struct Cost {
@@ -92,14 +79,8 @@ struct Cost {
     std::printf(
         "[ figures  ] %-12s %-8s found %4d of %4d, false %3d in %2d pictures, %.3f px rms, %.1f "
         "ms\n",
-        world.c_str(),
-        way,
-        found,
-        dots,
-        false_dots,
-        images,
-        std::sqrt(square_px2 / std::max(1, found)),
-        ms / std::max(1, images));
+        world.c_str(), way, found, dots, false_dots, images,
+        std::sqrt(square_px2 / std::max(1, found)), ms / std::max(1, images));
   }
 };
 
@@ -129,12 +110,7 @@ struct Numbers {
     std::printf(
         "[ figures  ] %-12s %-18s of %2d frames %2d numbered wrongly, %d lost; %d hidden markers "
         "%.2f px rms\n",
-        world.c_str(),
-        way,
-        frames,
-        wrong,
-        lost,
-        hidden,
+        world.c_str(), way, frames, wrong, lost, hidden,
         std::sqrt(square_px2 / std::max(1, hidden)));
   }
 };
@@ -157,9 +133,7 @@ struct World {
   bool is_dark = false;
 };
 
-void PrintTo(const World& world, std::ostream* out) {
-  *out << world.name;
-}
+void PrintTo(const World& world, std::ostream* out) { *out << world.name; }
 
 class MarkerWays : public ::testing::TestWithParam<World> {};
 
@@ -225,10 +199,8 @@ TEST_P(MarkerWays, SideBySide) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Worlds,
-    MarkerWays,
-    ::testing::Values(World{"clear", ""},
-                      World{"hidden", "  - {use: occlusion, count: 3}\n"},
+    Worlds, MarkerWays,
+    ::testing::Values(World{"clear", ""}, World{"hidden", "  - {use: occlusion, count: 3}\n"},
                       World{"worn", "  - {use: worn-marker, markers: [1, 3, 6], wear: 0.7}\n"},
                       World{"blurred", "  - {use: defocus, focus_mm: 40.0, aperture_mm: 1.0}\n"},
                       World{"partly_lit", "  - {use: dead-lamp, lamp: 0}\n"},

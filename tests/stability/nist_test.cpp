@@ -136,8 +136,7 @@ class Residuals final : public ceres::CostFunction {
     set_num_residuals(static_cast<int>(problem.data.size()));
     mutable_parameter_block_sizes()->push_back(static_cast<int>(units_.size()));
   }
-  bool Evaluate(double const* const* parameters,
-                double* residuals,
+  bool Evaluate(double const* const* parameters, double* residuals,
                 double** jacobians) const override {
     const Eigen::Index n = units_.size();
     std::vector<Jet> b;
@@ -162,14 +161,12 @@ class Residuals final : public ceres::CostFunction {
   bool of_logarithm_;
 };
 
-double solved_digits(const Problem& problem,
-                     const Model& model,
-                     const Eigen::VectorXd& start,
+double solved_digits(const Problem& problem, const Model& model, const Eigen::VectorXd& start,
                      bool of_logarithm) {
   Eigen::VectorXd parameters = Eigen::VectorXd::Ones(start.size());
   ceres::Problem least_squares;
-  least_squares.AddResidualBlock(
-      new Residuals(problem, model, start, of_logarithm), nullptr, parameters.data());
+  least_squares.AddResidualBlock(new Residuals(problem, model, start, of_logarithm), nullptr,
+                                 parameters.data());
   ceres::Solver::Summary summary;
   ceres::Solve(solver_settings(), &least_squares, &summary);
   return digits(parameters.cwiseProduct(start), problem.certified);
@@ -191,8 +188,8 @@ TEST(Nist, NonlinearProblemsFromBothStartsWithOurSettings) {
       if (found < 4) std::printf("[ figures  ] %s: %.1f digits\n", name.c_str(), found);
     }
   }
-  std::printf(
-      "[ figures  ] %d of %d solved to 4 digits, mean %.2f digits\n", solved, runs, sum / runs);
+  std::printf("[ figures  ] %d of %d solved to 4 digits, mean %.2f digits\n", solved, runs,
+              sum / runs);
   EXPECT_EQ(runs, 54);
   EXPECT_GE(solved, 50);
   EXPECT_GE(sum / runs, 8.5);
@@ -210,19 +207,13 @@ TEST(Nist, FilipWithTheCurvesOfOurFits) {
     y.push_back(std::stod(line.substr(line.find(',') + 1)));
   }
   ASSERT_EQ(x.size(), 82U);
-  const Eigen::VectorXd certified = Eigen::VectorXd::Map(std::vector<double>{-1467.48961422980,
-                                                                             -2772.17959193342,
-                                                                             -2316.37108160893,
-                                                                             -1127.97394098372,
-                                                                             -354.478233703349,
-                                                                             -75.1242017393757,
-                                                                             -10.8753180355343,
-                                                                             -1.06221498588947,
-                                                                             -0.0670191154593408,
-                                                                             -0.00246781078275479,
-                                                                             -0.0000402962525080404}
-                                                             .data(),
-                                                         11);
+  const Eigen::VectorXd certified = Eigen::VectorXd::Map(
+      std::vector<double>{-1467.48961422980, -2772.17959193342, -2316.37108160893,
+                          -1127.97394098372, -354.478233703349, -75.1242017393757,
+                          -10.8753180355343, -1.06221498588947, -0.0670191154593408,
+                          -0.00246781078275479, -0.0000402962525080404}
+          .data(),
+      11);
   const auto [low, high] = std::minmax_element(x.begin(), x.end());
   const double middle = 0.5 * (*low + *high), half = 0.5 * (*high - *low);
   Eigen::MatrixXd design(82, 11);
@@ -289,16 +280,12 @@ TEST(Nist, WamplersFiveWithTheCurvesOfOurFits) {
     Wampler problem;
     double least;
   };
-  for (const Row& row : {Row{"Wampler1", Wampler(0), 9.0},
-                         Row{"Wampler2", Wampler::small(), 9.0},
-                         Row{"Wampler3", Wampler(1), 8.5},
-                         Row{"Wampler4", Wampler(100), 7.5},
+  for (const Row& row : {Row{"Wampler1", Wampler(0), 9.0}, Row{"Wampler2", Wampler::small(), 9.0},
+                         Row{"Wampler3", Wampler(1), 8.5}, Row{"Wampler4", Wampler(100), 7.5},
                          Row{"Wampler5", Wampler(10000), 5.5}}) {
     const double ours = wampler_digits(row.problem), plain = wampler_plain_digits(row.problem);
-    std::printf("[ figures  ] %s: %.1f digits, by normal equations in powers %.1f\n",
-                row.name,
-                ours,
-                plain);
+    std::printf("[ figures  ] %s: %.1f digits, by normal equations in powers %.1f\n", row.name,
+                ours, plain);
     EXPECT_GE(ours, row.least) << row.name;
     EXPECT_LE(plain, ours) << row.name;  // Wampler2 is easy for both
   }
@@ -336,8 +323,7 @@ TEST(Nist, LongleyWithOurLeastSquares) {
   const Eigen::VectorXd plain =
       (design.transpose() * design).ldlt().solve(design.transpose() * target);
   std::printf("[ figures  ] Longley: %.1f digits, by normal equations %.1f\n",
-              digits(ours, certified),
-              digits(plain, certified));
+              digits(ours, certified), digits(plain, certified));
   EXPECT_GE(digits(ours, certified), 10.0);
   EXPECT_LT(digits(plain, certified), 9.0);
   EXPECT_NEAR(std::sqrt((design * ours - target).squaredNorm() / (16 - 7)), 304.854073561965, 1e-8);

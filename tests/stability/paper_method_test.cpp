@@ -51,13 +51,12 @@ fs::path scene_of(const Drawn& drawn, const std::string& name, const fs::path& f
   std::string text = content.str();
   replace_all(text, "width_mm: 24.0,", fmt::format("width_mm: {:.2f},", drawn.width_mm));
   replace_all(text, "incline_deg: 34.0", fmt::format("incline_deg: {:.2f}", drawn.incline_deg));
-  replace_all(
-      text, "scatter_per_mm: 0.6", fmt::format("scatter_per_mm: {:.3f}", drawn.scatter_per_mm));
+  replace_all(text, "scatter_per_mm: 0.6",
+              fmt::format("scatter_per_mm: {:.3f}", drawn.scatter_per_mm));
   replace_all(text, "power: 270000.0", fmt::format("power: {:.1f}", 270000 * drawn.light));
   replace_all(text, "power: 3300000.0", fmt::format("power: {:.1f}", 3300000 * drawn.light));
   if (!test::is_slow_run()) {
-    replace_all(text,
-                "size: [960, 540], fx: 523.9, fy: 523.9, cx: 479.5, cy: 269.5",
+    replace_all(text, "size: [960, 540], fx: 523.9, fy: 523.9, cx: 479.5, cy: 269.5",
                 "size: [640, 360], fx: 349.27, fy: 349.27, cx: 319.5, cy: 179.5");
     if (name == "demo_reference") replace_all(text, "frames: 240", "frames: 120");
   }
@@ -66,9 +65,7 @@ fs::path scene_of(const Drawn& drawn, const std::string& name, const fs::path& f
   return made;
 }
 
-Plan plan_of(const fs::path& scene) {
-  return Plan::compile(Scene::load(scene).value(), 1).value();
-}
+Plan plan_of(const fs::path& scene) { return Plan::compile(Scene::load(scene).value(), 1).value(); }
 
 FramePtr frame_of(const Plan& plan, int number) {
   auto frame = std::make_shared<Frame>();
@@ -113,8 +110,7 @@ Evaluation judged(Pipeline& pipeline, const Plan& plan) {
       errors.add_missing();
       continue;
     }
-    errors.add(plan.truth(i),
-               result->depth->depth_mm,
+    errors.add(plan.truth(i), result->depth->depth_mm,
                contact_face_points_mm(*result, pipeline.finger().face),
                result->markers.value_or(Markers{}));
   }
@@ -138,18 +134,9 @@ TEST(PaperMethod, MeasuresRandomFingersFromPictureToDepthAndOursBetter) {
         "finger {}: contact depth {:.4f} / {:.4f} mm, elsewhere {:.4f} / {:.4f} mm, place of the "
         "face {:.4f} / {:.4f} mm, markers seen {:.3f} / {:.3f} px, hidden {:.2f} / {:.1f} px, "
         "frames missing {} / {} (ours / the paper's)\n",
-        number,
-        *ours.contact_depth_mm,
-        *paper.contact_depth_mm,
-        *ours.false_depth_mm,
-        *paper.false_depth_mm,
-        *ours.position_mm,
-        *paper.position_mm,
-        *ours.marker_seen_px,
-        *paper.marker_seen_px,
-        *ours.marker_hidden_px,
-        *paper.marker_hidden_px,
-        ours.frames_missing,
+        number, *ours.contact_depth_mm, *paper.contact_depth_mm, *ours.false_depth_mm,
+        *paper.false_depth_mm, *ours.position_mm, *paper.position_mm, *ours.marker_seen_px,
+        *paper.marker_seen_px, *ours.marker_hidden_px, *paper.marker_hidden_px, ours.frames_missing,
         paper.frames_missing);
     // The paper reports 0.814 mm of localisation within 20 mm of the middle on a real finger.
     EXPECT_EQ(paper.frames_missing, 0);

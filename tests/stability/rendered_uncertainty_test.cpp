@@ -84,8 +84,7 @@ std::string list_of(const Geometry& g, double Geometry::Place::*member) {
 std::string scene_of(const Geometry& g, bool pressed) {
   std::string text =
       fmt::format("name: {}\nwhy: to learn what uncertainties are worth\nframes: {}\nfinger:\n",
-                  pressed ? "presses" : "untouched",
-                  pressed ? g.places.size() : 1);
+                  pressed ? "presses" : "untouched", pressed ? g.places.size() : 1);
   if (g.kind.flat)
     text +=
         "  camera: {model: orthographic, size: [480, 360], mm_per_px: 0.05, cx: 239.5, cy: 179.5}\n"
@@ -96,16 +95,13 @@ std::string scene_of(const Geometry& g, bool pressed) {
         "269.5}}\n"
         "  face: {{kind: fin_ray, width_mm: 24.0, layer_mm: 1.5}}\n"
         "untouched: {{x_mm: -25.0, z_mm: {}, incline_deg: {}, length_mm: 116.0}}\n",
-        g.z_mm,
-        g.incline_deg);
+        g.z_mm, g.incline_deg);
   text += "effects:\n";
   if (pressed)
     text += fmt::format(
         "  - {{use: ball, radius_mm: {}, s_mm: {}, y_mm: {}, depth_mm: {}}}\n"
         "{}",
-        g.radius_mm,
-        list_of(g, &Geometry::Place::s_mm),
-        list_of(g, &Geometry::Place::y_mm),
+        g.radius_mm, list_of(g, &Geometry::Place::s_mm), list_of(g, &Geometry::Place::y_mm),
         list_of(g, &Geometry::Place::depth_mm),
         g.kind.as_assumed ? ""
                           : "  - {use: rolloff, kind: hertz, length_mm: 0.8}\n"
@@ -127,8 +123,7 @@ std::string scene_of(const Geometry& g, bool pressed) {
         "      - {{at_mm: [0.0, -3.0, 0.0], power: {0}}}\n"
         "      - {{at_mm: [0.0, 3.0, 0.0], power: {0}}}\n"
         "      - {{at_mm: [4.0, 0.0, -20.0], power: {1}, aim_mm: [71.0, 0.0, 93.0], lobe: 8}}\n",
-        270000.0 * power,
-        3300000.0 * power);
+        270000.0 * power, 3300000.0 * power);
   return text + "  - {use: read, sd: 1.0}\n  - {use: quantisation}\n";
 }
 
@@ -160,8 +155,7 @@ Run rendered(const Kind& kind, int number) {
   }
   Pipeline pipeline =
       Pipeline::with_library(ReferenceLibrary::single(untouched.render(0, 2)).value(),
-                             FingerSnapshot::of({}, run.finger).value(),
-                             settings);
+                             FingerSnapshot::of({}, run.finger).value(), settings);
   for (int i = 0; i < pressed.frame_count(); ++i) {
     auto frame = std::make_shared<Frame>();
     frame->grey = pressed.render(i, 2);
@@ -169,10 +163,8 @@ Run rendered(const Kind& kind, int number) {
     auto seen = pipeline(frame);
     EXPECT_TRUE(seen && seen->difference && seen->shape);
     if (!seen || !seen->difference || !seen->shape) continue;
-    run.presses.push_back({fmt::format("p{}", i),
-                           std::move(*seen->difference),
-                           std::move(*seen->shape),
-                           run.geometry.radius_mm});
+    run.presses.push_back({fmt::format("p{}", i), std::move(*seen->difference),
+                           std::move(*seen->shape), run.geometry.radius_mm});
     run.truths.push_back(pressed.truth(i));
   }
   return run;
@@ -237,24 +229,12 @@ void Tally::add(const Run& run, const Calibration& found) {
 void Tally::print(const char* kind) const {
   std::printf(
       "[ figures  ] %s: %d calibrations, %d refused; depth at half range off by %.4f mm rms\n",
-      kind,
-      calibrations,
-      refused,
-      depth_rms_mm());
+      kind, calibrations, refused, depth_rms_mm());
   std::printf(
       "[ figures  ] %s: normalised squared errors: mapping %.2f +- %.2f, depth at half range %.2f "
       "+- %.2f, balls' x %.2f +- %.2f, y %.2f +- %.2f, z %.2f +- %.2f\n",
-      kind,
-      mapping.value(),
-      mapping.sd(),
-      depth.value(),
-      depth.sd(),
-      centre[0].value(),
-      centre[0].sd(),
-      centre[1].value(),
-      centre[1].sd(),
-      centre[2].value(),
-      centre[2].sd());
+      kind, mapping.value(), mapping.sd(), depth.value(), depth.sd(), centre[0].value(),
+      centre[0].sd(), centre[1].value(), centre[1].sd(), centre[2].value(), centre[2].sd());
 }
 
 Tally tally_of(const Kind& kind, int runs) {

@@ -63,11 +63,8 @@ RingOffsets draw_offsets(double sd_mm, std::mt19937& random) {
 }
 
 /// Block means of a press on a plane, 0.04 mm a pixel, with a pixel's noise as smoothing leaves it.
-PressSamples noisy_press(const Eigen::Vector3d& centre,
-                         double pixel_sd,
-                         int block,
-                         const RingOffsets& offsets,
-                         std::mt19937& random) {
+PressSamples noisy_press(const Eigen::Vector3d& centre, double pixel_sd, int block,
+                         const RingOffsets& offsets, std::mt19937& random) {
   constexpr int kSide = 150;  // px
   constexpr double kMmPerPx = 0.04;
   cv::Mat grain(kSide, kSide, CV_32FC1);
@@ -113,15 +110,15 @@ struct Presses {
   }
 };
 
-Presses draw_presses(
-    int count, double pixel_sd, int block, double ring_sd_mm, std::mt19937& random) {
+Presses draw_presses(int count, double pixel_sd, int block, double ring_sd_mm,
+                     std::mt19937& random) {
   const RingOffsets offsets = draw_offsets(ring_sd_mm, random);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
   Presses presses;
   for (int i = 0; i < count; ++i) {
     const double depth = count == 1 ? 0.9 : 0.4 + 0.8 * (i + uniform(random)) / count;
-    presses.centres.emplace_back(
-        0.3 * (uniform(random) - 0.5), 0.3 * (uniform(random) - 0.5), 40.0 + kBallRadius - depth);
+    presses.centres.emplace_back(0.3 * (uniform(random) - 0.5), 0.3 * (uniform(random) - 0.5),
+                                 40.0 + kBallRadius - depth);
     presses.samples.push_back(
         noisy_press(presses.centres.back(), pixel_sd, block, offsets, random));
   }
@@ -195,9 +192,7 @@ TEST(Uncertainty, OfATouchsDirectionIsTrue) {
     for (int m = 0; m < 12; ++m) {
       const Eigen::Vector2d rest(100.0 + 40 * (m % 6), m < 6 ? 50.0 : 300.0);
       markers.push_back({rest.x() + 0.6 * std::cos(angle) + noise(random),
-                         rest.y() + 0.6 * std::sin(angle) + noise(random),
-                         true,
-                         sd_px});
+                         rest.y() + 0.6 * std::sin(angle) + noise(random), true, sd_px});
       settings.rest_markers.emplace_back(rest.x() + noise(random), rest.y() + noise(random));
     }
     const Push told = push_of(markers, settings, true);

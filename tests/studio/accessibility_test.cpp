@@ -39,8 +39,7 @@ bool is_met(const QWidget& widget) {
 }
 
 std::string described(const QWidget& widget) {
-  return fmt::format("{} '{}' \"{}\"",
-                     widget.metaObject()->className(),
+  return fmt::format("{} '{}' \"{}\"", widget.metaObject()->className(),
                      widget.objectName().toStdString(),
                      widget.property("text").toString().toStdString());
 }

@@ -22,8 +22,7 @@ class Accuracy : public testing::Test {
  protected:
   void open(bool is_measured, const fs::path& source = MadeFingers::get().touched()) {
     fs::copy(is_measured ? MeasuredFinger::get().folder() : MadeFingers::get().calibrated(),
-             finger(),
-             fs::copy_options::recursive);
+             finger(), fs::copy_options::recursive);
     open_again(source);
   }
   void open_again(const fs::path& source = MadeFingers::get().touched()) {

@@ -15,9 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-QString text_of(const fs::path& path) {
-  return QString::fromStdString(path.string());
-}
+QString text_of(const fs::path& path) { return QString::fromStdString(path.string()); }
 
 void expect_as_kept(const QImage& seen, const std::string& name) {
   const fs::path kept = fs::path(ALLTACT_SOURCE_DIR) / "tests/studio/baselines" / (name + ".png");
@@ -45,38 +43,27 @@ struct Kept {
 
 class Baseline : public testing::TestWithParam<Kept> {};
 
-INSTANTIATE_TEST_SUITE_P(Gallery,
-                         Baseline,
-                         testing::Values(Kept{"control_panel", {320, 150}},
-                                         Kept{"control_panel", {320, 150}, Theme::kDark},
-                                         Kept{"convergence_plot", {420, 240}},
-                                         Kept{"convergence_plot", {420, 240}, Theme::kDark},
-                                         Kept{"coverage_view", {300, 300}},
-                                         Kept{"coverage_view", {300, 300}, Theme::kHighContrast},
-                                         Kept{"empty_recording", {900, 600}},
-                                         Kept{"empty_recording", {900, 600}, Theme::kDark},
-                                         Kept{"export_dialog", {620, 460}},
-                                         Kept{"export_dialog", {620, 460}, Theme::kDark},
-                                         Kept{"gripper_dialog", {560, 190}},
-                                         Kept{"image_view", {480, 270}},
-                                         Kept{"mapping_plot", {420, 280}},
-                                         Kept{"mapping_plot", {420, 280}, Theme::kDark},
-                                         Kept{"new_finger_dialog", {560, 420}},
-                                         Kept{"outline_editor", {480, 270}},
-                                         Kept{"press_error_plot", {420, 200}},
-                                         Kept{"problem_list", {480, 160}},
-                                         Kept{"problem_list", {480, 160}, Theme::kDark},
-                                         Kept{"second_finger_dialog", {560, 190}},
-                                         Kept{"settings_dialog", {400, 210}},
-                                         Kept{"start_panel", {560, 560}},
-                                         Kept{"step_list", {640, 60}},
-                                         Kept{"step_list", {640, 60}, Theme::kDark}),
-                         [](const auto& kept) {
-                           const std::string name = kept.param.widget;
-                           return name + (kept.param.theme == Theme::kLight  ? "_light"
-                                          : kept.param.theme == Theme::kDark ? "_dark"
-                                                                             : "_contrast");
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Gallery, Baseline,
+    testing::Values(
+        Kept{"control_panel", {320, 150}}, Kept{"control_panel", {320, 150}, Theme::kDark},
+        Kept{"convergence_plot", {420, 240}}, Kept{"convergence_plot", {420, 240}, Theme::kDark},
+        Kept{"coverage_view", {300, 300}}, Kept{"coverage_view", {300, 300}, Theme::kHighContrast},
+        Kept{"empty_recording", {900, 600}}, Kept{"empty_recording", {900, 600}, Theme::kDark},
+        Kept{"export_dialog", {620, 460}}, Kept{"export_dialog", {620, 460}, Theme::kDark},
+        Kept{"gripper_dialog", {560, 190}}, Kept{"image_view", {480, 270}},
+        Kept{"mapping_plot", {420, 280}}, Kept{"mapping_plot", {420, 280}, Theme::kDark},
+        Kept{"new_finger_dialog", {560, 420}}, Kept{"outline_editor", {480, 270}},
+        Kept{"press_error_plot", {420, 200}}, Kept{"problem_list", {480, 160}},
+        Kept{"problem_list", {480, 160}, Theme::kDark}, Kept{"second_finger_dialog", {560, 190}},
+        Kept{"settings_dialog", {400, 210}}, Kept{"start_panel", {560, 560}},
+        Kept{"step_list", {640, 60}}, Kept{"step_list", {640, 60}, Theme::kDark}),
+    [](const auto& kept) {
+      const std::string name = kept.param.widget;
+      return name + (kept.param.theme == Theme::kLight  ? "_light"
+                     : kept.param.theme == Theme::kDark ? "_dark"
+                                                        : "_contrast");
+    });
 
 TEST_P(Baseline, LooksAsItDid) {
   const SameEverywhere same;

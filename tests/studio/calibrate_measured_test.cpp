@@ -15,8 +15,7 @@ using testing::HasSubstr;
 /// The frames of all views from now on.
 std::shared_ptr<std::vector<FramePtr>> watched_frames(Studio& studio) {
   auto frames = std::make_shared<std::vector<FramePtr>>();
-  QObject::connect(&studio.session(),
-                   &LiveSession::view_ready,
+  QObject::connect(&studio.session(), &LiveSession::view_ready,
                    studio.window().findChild<PressesPage*>(),
                    [&studio, frames] { frames->push_back(studio.session().view()->result.frame); });
   return frames;
@@ -206,9 +205,8 @@ TEST_F(CalibrateMeasured, TheSolutionIsSaidBesideWhatWasTold) {
   std::printf("[ figures  ] %s; %s\n", state_of("press_01").c_str(), state_of("press_07").c_str());
   ASSERT_EQ(solved.steps.size(), 1U);
   EXPECT_NEAR(solved.steps[0].estimated_mm, 0.5, 0.03);
-  EXPECT_THAT(
-      state_of("press_07"),
-      HasSubstr(fmt::format("0.500 mm step measured as {:.3f} mm", solved.steps[0].estimated_mm)));
+  EXPECT_THAT(state_of("press_07"), HasSubstr(fmt::format("0.500 mm step measured as {:.3f} mm",
+                                                          solved.steps[0].estimated_mm)));
   EXPECT_THAT(state_of("press_01"), HasSubstr("depth measured 0.670 mm, fitted 0."));
   rig_.collection().set_step_of("press_07", 0.6);
   EXPECT_EQ(state_of("press_07"), "a punch with a step of 0.600 mm");

@@ -35,23 +35,18 @@ std::string repeated(const std::vector<double>& values, int times) {
 
 std::string pressing_scene(int frames_each) {
   std::string scene = small_scene(true);
-  const std::string moving =
-      fmt::format("{{use: ball, radius_mm: 4.0, s_mm: {}, y_mm: {}, depth_mm: {}}}",
-                  repeated({24, 36, 48, 58, 70, 82}, frames_each),
-                  repeated({-4, 3, 0, -2, 4, 1}, frames_each),
-                  repeated({0.8, 0.5, 1.1, 0.6, 1.0, 0.9}, frames_each));
+  const std::string moving = fmt::format(
+      "{{use: ball, radius_mm: 4.0, s_mm: {}, y_mm: {}, depth_mm: {}}}",
+      repeated({24, 36, 48, 58, 70, 82}, frames_each), repeated({-4, 3, 0, -2, 4, 1}, frames_each),
+      repeated({0.8, 0.5, 1.1, 0.6, 1.0, 0.9}, frames_each));
   replace_all(scene, kStillBall, moving);
   replace_all(scene, "frames: 60", fmt::format("frames: {}", 6 * frames_each));
   return scene;
 }
 
-std::string held_pressing_scene(int frames_each) {
-  return held(pressing_scene(frames_each));
-}
+std::string held_pressing_scene(int frames_each) { return held(pressing_scene(frames_each)); }
 
-std::string still_scene() {
-  return held(small_scene(true));
-}
+std::string still_scene() { return held(small_scene(true)); }
 
 bool says(Studio& studio, const char* words) {
   for (const QLabel* label : studio.window().findChildren<QLabel*>())
@@ -72,8 +67,8 @@ std::map<std::string, std::string> contents(const std::filesystem::path& folder)
 }
 
 CalibrateStudio::CalibrateStudio(int presses) {
-  std::filesystem::copy(
-      MadeFingers::get().calibrated(), finger(), std::filesystem::copy_options::recursive);
+  std::filesystem::copy(MadeFingers::get().calibrated(), finger(),
+                        std::filesystem::copy_options::recursive);
   auto own = Finger::load(finger()).value();
   own.mapping.reset();
   own.mapping_record.reset();
@@ -128,9 +123,8 @@ bool CalibrateStudio::wait_until_looked_at(int count) {
       [&] {
         const auto& presses = collection().presses();
         return static_cast<int>(presses.size()) == count &&
-               std::all_of(presses.begin(), presses.end(), [](const CollectedPress& press) {
-                 return press.is_analysed;
-               });
+               std::all_of(presses.begin(), presses.end(),
+                           [](const CollectedPress& press) { return press.is_analysed; });
       },
       30000);
 }
@@ -144,8 +138,7 @@ void CalibrateStudio::add_punch(const std::string& name) {
   relief.colRange(0, 120) = 255;
   must(write_image(folder_ / "punch.png", relief));
   std::string scene = still_scene();
-  replace_all(scene,
-              kStillBall,
+  replace_all(scene, kStillBall,
               "{use: relief, shape: picture, file: punch.png, mm_per_px: 0.06, height_mm: 0.5, "
               "s_mm: 26.0, y_mm: 0.0, depth_mm: 1.0}");
   replace_all(scene, "  - {use: rolloff, kind: hertz, length_mm: 0.8}\n", "");

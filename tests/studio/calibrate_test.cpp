@@ -40,8 +40,8 @@ TEST(Calibrate, EveryStepSaysWhatItNeedsFirst) {
   QTest::keyClick(file, Qt::Key_Return);
   EXPECT_EQ(studio.problems(), "");
   const cv::Size size = small_size_px();
-  const std::string lens = fmt::format(
-      "{} × {} px, focal length {:.1f} px", size.width, size.height, 523.9 * size.width / 960);
+  const std::string lens = fmt::format("{} × {} px, focal length {:.1f} px", size.width,
+                                       size.height, 523.9 * size.width / 960);
   EXPECT_TRUE(says(studio, lens.c_str()));
   studio.click("Next: Finger");
   EXPECT_TRUE(says(studio, "make one, or open one"));
@@ -68,8 +68,7 @@ TEST(Calibrate, TakesPressesFromTheLivePictureAndKeepsThemAtOnce) {
   EXPECT_EQ(rig.collection().usable_count(), 2);
   const CollectedPress& first = rig.collection().presses()[0];
   EXPECT_EQ(cv::norm(read_grey_image(rig.finger() / "presses/press_01.png").value(),
-                     first.frame->grey,
-                     cv::NORM_INF),
+                     first.frame->grey, cv::NORM_INF),
             0);
   // Undone, they are gone from the folder; done again, they are back.
   QTest::keyClick(&rig.studio().window(), Qt::Key_Z, Qt::ControlModifier);
@@ -110,8 +109,8 @@ TEST(Calibrate, TheOutlineIsTheBallsAndAHandMovesIt) {
   rig.type_radius("4");
   ASSERT_TRUE(rig.wait_until_looked_at(2));
   auto* list = rig.studio().find<QListView>("Presses");
-  QTest::mouseClick(
-      list->viewport(), Qt::LeftButton, {}, list->visualRect(list->model()->index(0, 0)).center());
+  QTest::mouseClick(list->viewport(), Qt::LeftButton, {},
+                    list->visualRect(list->model()->index(0, 0)).center());
   auto* editor = rig.studio().find<OutlineEditor>("Image with the ball's outline");
   ASSERT_NE(editor, nullptr);
   ASSERT_TRUE(editor->ball());
@@ -156,8 +155,8 @@ TEST(Calibrate, AnotherRadiusLooksAgainAndTakesOutlinesAlong) {
   rig.collection().set_ball("press_01", found, 1);
   rig.type_radius("4.2");
   ASSERT_TRUE(rig.wait_until_looked_at(1));
-  EXPECT_NEAR(
-      (*rig.collection().press_set().of("press_01").ball_mm - 1.05 * found).norm(), 0, 1e-9);
+  EXPECT_NEAR((*rig.collection().press_set().of("press_01").ball_mm - 1.05 * found).norm(), 0,
+              1e-9);
   QTest::keyClick(&rig.studio().window(), Qt::Key_Z, Qt::ControlModifier);
   EXPECT_EQ(rig.collection().press_set().ball_radius_mm, 4);
   EXPECT_EQ(rig.collection().press_set().of("press_01").ball_mm, found);
@@ -300,10 +299,10 @@ TEST(Calibrate, StoppingKeepsWhatWasThere) {
     EXPECT_THAT(rig.studio().problems(), HasSubstr("topped"));
     EXPECT_EQ(contents(rig.finger()).at("finger.yaml"), before);
   } else {
-    EXPECT_TRUE(
-        std::any_of(rig.run().result()->calibration.remarks.begin(),
-                    rig.run().result()->calibration.remarks.end(),
-                    [](const auto& remark) { return remark.english().starts_with("stopped"); }));
+    EXPECT_TRUE(std::any_of(rig.run().result()->calibration.remarks.begin(),
+                            rig.run().result()->calibration.remarks.end(), [](const auto& remark) {
+                              return remark.english().starts_with("stopped");
+                            }));
   }
 }
 

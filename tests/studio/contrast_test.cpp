@@ -47,8 +47,7 @@ class Painted : public testing::TestWithParam<Theme> {
   }
   ProgramAppearance appearance_;
 };
-INSTANTIATE_TEST_SUITE_P(Theme,
-                         Painted,
+INSTANTIATE_TEST_SUITE_P(Theme, Painted,
                          testing::Values(Theme::kLight, Theme::kDark, Theme::kHighContrast),
                          [](const auto& theme) {
                            return theme.param == Theme::kLight  ? "light"
@@ -79,19 +78,15 @@ TEST_P(Painted, WhatHasTheFocusStandsOut) {
   tool->setFocusPolicy(Qt::StrongFocus);
   auto* box = new QCheckBox(QStringLiteral("box"));
   set_primary(*next);
-  for (QWidget* widget : {static_cast<QWidget*>(other),
-                          static_cast<QWidget*>(plain),
-                          static_cast<QWidget*>(next),
-                          static_cast<QWidget*>(tool),
-                          static_cast<QWidget*>(box)})
+  for (QWidget* widget :
+       {static_cast<QWidget*>(other), static_cast<QWidget*>(plain), static_cast<QWidget*>(next),
+        static_cast<QWidget*>(tool), static_cast<QWidget*>(box)})
     column->addWidget(widget);
   window.resize(240, 240);
   window.show();
   QApplication::setActiveWindow(&window);
-  for (QWidget* widget : {static_cast<QWidget*>(plain),
-                          static_cast<QWidget*>(next),
-                          static_cast<QWidget*>(tool),
-                          static_cast<QWidget*>(box)}) {
+  for (QWidget* widget : {static_cast<QWidget*>(plain), static_cast<QWidget*>(next),
+                          static_cast<QWidget*>(tool), static_cast<QWidget*>(box)}) {
     other->setFocus(Qt::TabFocusReason);
     const QImage without = picture_of(window).copy(widget->geometry());
     widget->setFocus(Qt::TabFocusReason);

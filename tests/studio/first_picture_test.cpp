@@ -22,8 +22,7 @@ StudioOptions of_yesterday(const TemporaryFolder& folder) {
   SessionState state;
   state.finger = MadeFingers::get().calibrated();
   state.source = {MadeFingers::get().touched()};
-  state.recent_fingers = {MadeFingers::get().calibrated(),
-                          "/nowhere/a-finger-that-was-deleted",
+  state.recent_fingers = {MadeFingers::get().calibrated(), "/nowhere/a-finger-that-was-deleted",
                           MadeFingers::get().described()};
   must(make_folder(folder / "session"));
   must(write_file_atomically(folder / "session/session.json", session_to_json(state)));

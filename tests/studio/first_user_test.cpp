@@ -185,8 +185,7 @@ TEST(FirstUser, ReachesAVerdictByReadingOnlyWhatIsOnTheScreen) {
   };
   EXPECT_TRUE(wait_until(look, 60000));
   wait_until([&] { return !look(); }, 1500);  // to the depth at which the ball stays
-  std::printf("[ figures  ] deepest %.3f mm; %s\n",
-              deepest_mm,
+  std::printf("[ figures  ] deepest %.3f mm; %s\n", deepest_mm,
               calibrated->verdict.sentence.english().c_str());
   // Which moments were caught decides; one calibration of them is a draw, and so is a reading.
   EXPECT_NEAR(deepest_mm, 0.9, 0.15 + 2 * calibrated->verdict.error_mm);

@@ -31,8 +31,8 @@ class ForceFinger {
 
  private:
   ForceFinger() {
-    std::filesystem::copy(
-        MadeFingers::get().calibrated(), folder(), std::filesystem::copy_options::recursive);
+    std::filesystem::copy(MadeFingers::get().calibrated(), folder(),
+                          std::filesystem::copy_options::recursive);
     const FingerPtr finger = open_finger(folder()).value();
     rest_px_ = finger->finger.contact->rest_markers;
     const auto frames = marker_frames({MadeFingers::get().bending()}, *finger, Job()).value();

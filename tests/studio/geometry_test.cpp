@@ -44,17 +44,12 @@ struct Dress {
   Theme theme = Theme::kLight;
   [[nodiscard]] std::string name() const {
     const char* themes[] = {"", "system", "light", "dark", "contrast"};
-    return fmt::format("{}x{} {} {}",
-                       size.width(),
-                       size.height(),
-                       language,
+    return fmt::format("{}x{} {} {}", size.width(), size.height(), language,
                        themes[static_cast<std::size_t>(theme)]);
   }
 };
 
-bool is_slow_run() {
-  return qEnvironmentVariableIsSet("ALLTACT_SLOW");
-}
+bool is_slow_run() { return qEnvironmentVariableIsSet("ALLTACT_SLOW"); }
 
 const std::vector<Dress>& dresses() {
   static const std::vector<Dress> all = [] {
@@ -115,12 +110,8 @@ class Geometry : public testing::Test {
     if (is_slow_run()) keep_sheet(name, sheet);
     appearance.apply({Theme::kLight, QStringLiteral("en")});
     QTest::qWait(kSettling_ms);
-    std::printf("[ figures  ] %-20s pictured %.2f (%s), empty %.2f (%s)\n",
-                name,
-                least,
-                where_least.c_str(),
-                most,
-                where_most.c_str());
+    std::printf("[ figures  ] %-20s pictured %.2f (%s), empty %.2f (%s)\n", name, least,
+                where_least.c_str(), most, where_most.c_str());
     EXPECT_GE(least, wanted.pictured) << name << ", " << where_least;
     EXPECT_LE(most, wanted.empty) << name << ", " << where_most;
   }
@@ -185,8 +176,8 @@ class Geometry : public testing::Test {
         std::filesystem::path(ALLTACT_SOURCE_DIR) / "tests/gallery/pages";
     std::filesystem::create_directories(folder);
     constexpr int kQuality = 70;
-    ASSERT_TRUE(sheet.save(
-        QString::fromStdString((folder / (std::string(name) + ".jpg")).string()), "JPG", kQuality));
+    ASSERT_TRUE(sheet.save(QString::fromStdString((folder / (std::string(name) + ".jpg")).string()),
+                           "JPG", kQuality));
   }
   const SameEverywhere same_;
 };

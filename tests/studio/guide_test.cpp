@@ -32,9 +32,7 @@ class HelpTexts : public testing::TestWithParam<const char*> {
   ~HelpTexts() override { appearance_.apply({Theme::kLight, QStringLiteral("en")}); }
   ProgramAppearance appearance_;
 };
-INSTANTIATE_TEST_SUITE_P(Language,
-                         HelpTexts,
-                         testing::ValuesIn(kGuideLanguages),
+INSTANTIATE_TEST_SUITE_P(Language, HelpTexts, testing::ValuesIn(kGuideLanguages),
                          [](const auto& of) { return std::string(of.param); });
 
 TEST_P(HelpTexts, OfEveryPlaceBeginWithWhatItIsFor) {

@@ -34,9 +34,7 @@ struct Page {
   }
   [[nodiscard]] QString text() const { return QString::fromStdString(text_of(file(".md"))); }
 };
-void PrintTo(const Page& page, std::ostream* out) {
-  *out << page.name();
-}
+void PrintTo(const Page& page, std::ostream* out) { *out << page.name(); }
 
 std::vector<Page> pages() {
   std::vector<Page> all;
@@ -46,9 +44,8 @@ std::vector<Page> pages() {
 }
 
 class Help : public testing::TestWithParam<Page> {};
-INSTANTIATE_TEST_SUITE_P(Page, Help, testing::ValuesIn(pages()), [](const auto& page) {
-  return page.param.name();
-});
+INSTANTIATE_TEST_SUITE_P(Page, Help, testing::ValuesIn(pages()),
+                         [](const auto& page) { return page.param.name(); });
 
 /// Without accelerators and the dots of what opens a dialog.
 QString plain(QString text) {
@@ -154,9 +151,8 @@ QImage reduced(const QImage& window) {
 
 /// `is_calm`: when the window shows what is to be seen.
 void expect_like_kept(
-    MainWindow& window, const char* place, const std::function<bool()>& is_calm = [] {
-      return true;
-    }) {
+    MainWindow& window, const char* place,
+    const std::function<bool()>& is_calm = [] { return true; }) {
   for (const Page& page : {Page{place, "zh_CN"}, Page{place, "de"}, Page{place, "en"}}) {
     ProgramAppearance appearance;
     appearance.apply({Theme::kLight, QString::fromStdString(page.language)});
@@ -226,9 +222,8 @@ TEST(HelpPictures, OfCalibrateIsLikeTheWindow) {
   ASSERT_TRUE(rig.wait_until_looked_at(6));
   auto* list = rig.place().findChild<PressesPage*>()->findChild<QListView*>();
   list->setCurrentIndex(list->model()->index(2, 0));
-  expect_like_kept(rig.studio().window(), "calibrate", [&] {
-    return rig.place().forecast().result() != nullptr;
-  });
+  expect_like_kept(rig.studio().window(), "calibrate",
+                   [&] { return rig.place().forecast().result() != nullptr; });
 }
 
 TEST(HelpPictures, OfInspectIsLikeTheWindow) {

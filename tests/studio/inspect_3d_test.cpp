@@ -81,9 +81,8 @@ TEST_F(InspectIn3DView, AClickPutsAPointThatStaysOnTheFinger) {
     const auto there =
         view().scene().window_pixel_of({450 + 20.0 * step.x(), 270 + 20.0 * step.y()});
     ASSERT_TRUE(there);
-    camera_pixels = std::max(camera_pixels,
-                             std::sqrt(2.0) * 20 * std::hypot(step.x(), step.y()) /
-                                 (cv::norm(*there - *middle) / ratio));
+    camera_pixels = std::max(camera_pixels, std::sqrt(2.0) * 20 * std::hypot(step.x(), step.y()) /
+                                                (cv::norm(*there - *middle) / ratio));
   }
   RecordProperty("camera_pixels_per_screen_pixel", std::to_string(camera_pixels));
   EXPECT_LT(camera_pixels, 8);

@@ -127,13 +127,9 @@ TEST_F(InspectMore, TellsUnderThePointerWhatTheCommandLineWrites) {
   ASSERT_TRUE(open_pictures());
   const TemporaryFolder out;
   const ProgramRun run =
-      run_alltact({"reconstruct",
-                   MadeFingers::get().calibrated().string(),
-                   (MadeFingers::get().touched_pictures() / "frame_00000.png").string(),
-                   "-o",
-                   out.path().string(),
-                   "--format",
-                   "depth"});
+      run_alltact({"reconstruct", MadeFingers::get().calibrated().string(),
+                   (MadeFingers::get().touched_pictures() / "frame_00000.png").string(), "-o",
+                   out.path().string(), "--format", "depth"});
   ASSERT_EQ(run.status, 0) << run.errors;
   const cv::Mat written =
       cv::imread((out / "frame_00000.depth.tiff").string(), cv::IMREAD_UNCHANGED);
@@ -225,9 +221,7 @@ TEST_F(InspectMore, WritesTheCrossSectionForAPaper) {
   EXPECT_THAT(svg, HasSubstr("<svg"));
   EXPECT_THAT(svg, HasSubstr("Depth (mm)")) << "letters as letters";
   EXPECT_EQ(svg.find("<image"), std::string::npos) << "lines as lines";
-  const Profile profile = profile_between(frame().result,
-                                          frame().face,
-                                          frame().sd_mm,
+  const Profile profile = profile_between(frame().result, frame().face, frame().sd_mm,
                                           *pixel_of(frame(), place().options().a),
                                           *pixel_of(frame(), place().options().b));
   std::istringstream csv(text_of(out / "a.csv"));

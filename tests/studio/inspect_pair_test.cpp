@@ -203,8 +203,8 @@ class InspectIn3D : public InspectPair {
   void roll(int clicks) {
     const QPointF at(200, 200);
     for (int i = 0; i < clicks; ++i) {
-      QWheelEvent event(
-          at, view().mapToGlobal(at), {}, {0, 120}, Qt::NoButton, {}, Qt::NoScrollPhase, false);
+      QWheelEvent event(at, view().mapToGlobal(at), {}, {0, 120}, Qt::NoButton, {},
+                        Qt::NoScrollPhase, false);
       QApplication::sendEvent(&view(), &event);
     }
   }

@@ -109,17 +109,15 @@ TEST_F(Inspect, ReadsPlacesAsTheCommandLineWritesThem) {
   const std::string reading = text("Measured at the points");
   EXPECT_THAT(reading,
               HasSubstr(QStringLiteral("x %1, y %2, z %3 mm")
-                            .arg(locale.toString(p[0], 'f', 2),
-                                 locale.toString(p[1], 'f', 2),
+                            .arg(locale.toString(p[0], 'f', 2), locale.toString(p[1], 'f', 2),
                                  locale.toString(p[2], 'f', 2))
                             .toStdString()));
   const float sd_mm = frame().sd_mm.at<float>(at);
   const QString sd = sd_mm < 0.005F ? QStringLiteral("under ") + locale.toString(0.01, 'f', 2)
                                     : locale.toString(sd_mm, 'f', 2);
-  EXPECT_THAT(reading,
-              HasSubstr(QStringLiteral("depth %1 ± %2 mm")
-                            .arg(locale.toString(depth, 'f', 2), sd)
-                            .toStdString()));
+  EXPECT_THAT(reading, HasSubstr(QStringLiteral("depth %1 ± %2 mm")
+                                     .arg(locale.toString(depth, 'f', 2), sd)
+                                     .toStdString()));
   EXPECT_GT(frame().sd_mm.at<float>(at), 0.0F);
 }
 
@@ -175,14 +173,12 @@ TEST_F(Inspect, MeasuresWhatLiesBetweenThePoints) {
   place().restore(box, frame().number);
   auto* table = studio_.find<QTableWidget>("Measured between the points");
   ASSERT_NE(table, nullptr);
-  const auto readings = surface_readings(
-      frame(), *pixel_of(frame(), place().options().a), *pixel_of(frame(), place().options().b));
+  const auto readings = surface_readings(frame(), *pixel_of(frame(), place().options().a),
+                                         *pixel_of(frame(), place().options().b));
   ASSERT_EQ(static_cast<std::size_t>(table->rowCount()), readings.size());
   const MeasuredValue apart = readings.front().measured.value();
   EXPECT_NEAR(apart.value,
-              distance_between(frame().result,
-                               frame().face,
-                               deepest - cv::Point2d(14, 26),
+              distance_between(frame().result, frame().face, deepest - cv::Point2d(14, 26),
                                deepest + cv::Point2d(14, 26))
                   ->straight_mm,
               1e-6);
@@ -193,8 +189,7 @@ TEST_F(Inspect, MeasuresWhatLiesBetweenThePoints) {
   EXPECT_LT(radius.sd, 0.5);
   // The box ends between pixels, the region on them: the wider they are the less alike.
   const double alike = 0.05 * 960 / small_size_px().width;
-  EXPECT_NEAR(readings[3].measured.value().value,
-              frame().result.regions.front().volume_mm3,
+  EXPECT_NEAR(readings[3].measured.value().value, frame().result.regions.front().volume_mm3,
               alike * frame().result.regions.front().volume_mm3);
   EXPECT_EQ(table->item(1, 1)->text(), value_text(readings[1]));
   studio_.click("Copy as CSV");
@@ -261,14 +256,9 @@ TEST_F(Inspect, SavesTheBytesThatTheCommandLineWrites) {
     ASSERT_TRUE(wait_until([&] { return !place().is_saving(); }));
   }
   const ProgramRun run =
-      run_alltact({"reconstruct",
-                   MadeFingers::get().calibrated().string(),
-                   (MadeFingers::get().touched_pictures() / "frame_00000.png").string(),
-                   "-o",
-                   (out / "cli").string(),
-                   "--format",
-                   "depth,ply,vtp,stl,glb",
-                   "--picture"});
+      run_alltact({"reconstruct", MadeFingers::get().calibrated().string(),
+                   (MadeFingers::get().touched_pictures() / "frame_00000.png").string(), "-o",
+                   (out / "cli").string(), "--format", "depth,ply,vtp,stl,glb", "--picture"});
   ASSERT_EQ(run.status, 0) << run.errors;
   for (const char* ending : {"ply", "vtp", "stl", "glb"}) {
     const std::string ours = text_of(out / (std::string("a.") + ending));

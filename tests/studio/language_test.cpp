@@ -95,14 +95,9 @@ TEST_F(InLanguage, NoTemplateIsTranslatedWhereItWasTyped) {
 }
 
 TEST_F(InLanguage, EveryTemplateIsSaidAsItsTranslation) {
-  const std::vector<Message> parts{Message::typed("<0>"),
-                                   Message::typed("<1>"),
-                                   Message::typed("<2>"),
-                                   Message::typed("<3>"),
-                                   Message::typed("<4>"),
-                                   Message::typed("<5>"),
-                                   Message::typed("<6>"),
-                                   Message::typed("<7>")};
+  const std::vector<Message> parts{
+      Message::typed("<0>"), Message::typed("<1>"), Message::typed("<2>"), Message::typed("<3>"),
+      Message::typed("<4>"), Message::typed("<5>"), Message::typed("<6>"), Message::typed("<7>")};
   for (const char* language : {"de", "zh_CN"}) {
     SCOPED_TRACE(language);
     speak(language);
@@ -181,10 +176,8 @@ TEST_F(InLanguage, EveryCountIsRightInEnglishWithoutATranslation) {
   for (const TsMessage& message : all_said("de")) {
     if (!message.is_counted) continue;
     for (const int count : {0, 1, 2}) {
-      const Message whole = Message::compose(Message::Kind::kCounted,
-                                             message.source.toStdString(),
-                                             message.comment.toStdString(),
-                                             count,
+      const Message whole = Message::compose(Message::Kind::kCounted, message.source.toStdString(),
+                                             message.comment.toStdString(), count,
                                              {Message::typed("N"), Message::typed("A")});
       EXPECT_EQ(reported(whole), whole.english());
     }

@@ -58,17 +58,12 @@ std::string told_of(const QWidget& widget) {
   QString text = shown_text(widget);
   if (text.isEmpty()) text = widget.accessibleName();
   text.replace(QLatin1Char('\n'), QLatin1Char(' '));
-  return fmt::format("{} '{}' ({} x {})",
-                     widget.metaObject()->className(),
-                     text.left(60).toStdString(),
-                     widget.width(),
-                     widget.height());
+  return fmt::format("{} '{}' ({} x {})", widget.metaObject()->className(),
+                     text.left(60).toStdString(), widget.width(), widget.height());
 }
 
 /// Without the letter that chooses it.
-QString unmarked(QString text) {
-  return text.remove(QLatin1Char('&'));
-}
+QString unmarked(QString text) { return text.remove(QLatin1Char('&')); }
 
 bool is_told_by_tip(const QWidget& widget, const QString& text) {
   return !text.isEmpty() && widget.toolTip().contains(text);
@@ -233,8 +228,8 @@ QRect content_of_label(const QLabel& label) {
   const int width = is_wrapped ? label.width() : std::min(label.width(), hint.width());
   const int height =
       std::min(label.height(), is_wrapped ? label.heightForWidth(label.width()) : hint.height());
-  return QStyle::alignedRect(
-      label.layoutDirection(), label.alignment(), QSize(width, height), label.rect());
+  return QStyle::alignedRect(label.layoutDirection(), label.alignment(), QSize(width, height),
+                             label.rect());
 }
 
 QRect content_of_view(const QAbstractItemView& view) {
@@ -305,15 +300,13 @@ std::vector<std::string> cut_texts(const QWidget& root) {
       add_rows(*view, found);
     if (is_part_of_another(*widget)) continue;
     if (const QSize lack = lack_of(*widget); lack.width() > 0 || lack.height() > 0)
-      found.push_back(fmt::format(
-          "{} lacks {} x {} px for its text", told_of(*widget), lack.width(), lack.height()));
+      found.push_back(fmt::format("{} lacks {} x {} px for its text", told_of(*widget),
+                                  lack.width(), lack.height()));
     if (!shows_text(*widget)) continue;
     const QSize out = cut_off(*widget);
     if (out.width() > 0 || (out.height() > 0 && !scrolls_down(*widget)))
       found.push_back(fmt::format("{} is cut off by {} x {} px by what it stands in",
-                                  told_of(*widget),
-                                  out.width(),
-                                  out.height()));
+                                  told_of(*widget), out.width(), out.height()));
   }
   return found;
 }
@@ -337,11 +330,8 @@ std::vector<std::string> overlaps(const QWidget& root) {
       for (std::size_t k = i + 1; k < children.size(); ++k) {
         const QRect both = children[i]->geometry() & children[k]->geometry();
         if (both.isEmpty()) continue;
-        found.push_back(fmt::format("{} and {} share {} x {} px",
-                                    told_of(*children[i]),
-                                    told_of(*children[k]),
-                                    both.width(),
-                                    both.height()));
+        found.push_back(fmt::format("{} and {} share {} x {} px", told_of(*children[i]),
+                                    told_of(*children[k]), both.width(), both.height()));
       }
   }
   return found;

@@ -88,10 +88,9 @@ class TwoCameras : public testing::Test {
       const bool is_second = inputs.front() == "right camera";
       if (!is_second && inputs.front() != "left camera")
         return Error{en::say("there is no such camera"), inputs.front().string(), ""};
-      return std::unique_ptr<Source>(
-          std::make_unique<SteadyCamera>(inputs.front().string(),
-                                         start_ns_ + (is_second ? kLater_ns : 0),
-                                         is_second ? &is_second_stuck_ : nullptr));
+      return std::unique_ptr<Source>(std::make_unique<SteadyCamera>(
+          inputs.front().string(), start_ns_ + (is_second ? kLater_ns : 0),
+          is_second ? &is_second_stuck_ : nullptr));
     };
   }
   [[nodiscard]] fs::path gripper_file() const { return folder_ / "gripper.yaml"; }
@@ -178,10 +177,8 @@ struct PlacedPoint {
   Eigen::Vector3d at_mm;
   cv::Point pixel;
 };
-std::vector<PlacedPoint> placed_points(const cv::Mat& points_mm,
-                                       const RigidTransform& place,
-                                       cv::Rect within,
-                                       int step) {
+std::vector<PlacedPoint> placed_points(const cv::Mat& points_mm, const RigidTransform& place,
+                                       cv::Rect within, int step) {
   within &= cv::Rect({}, points_mm.size());
   std::vector<PlacedPoint> placed;
   for (int v = within.y; v < within.br().y; v += step)

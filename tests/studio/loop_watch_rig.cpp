@@ -108,8 +108,8 @@ void LoopWatch::during(const std::string& what, const std::function<void()>& act
   QTimer::singleShot(wait_ms, &loop, &QEventLoop::quit);
   loop.exec();  // QTest::qWait would sleep in between
   const double longest_ms = watchdog_->longest_ms(), sleeper_ms = watchdog_->sleeper_longest_ms();
-  std::printf(
-      "[ figures  ] %-20s %5.1f ms (a sleeper %.1f ms)\n", what.c_str(), longest_ms, sleeper_ms);
+  std::printf("[ figures  ] %-20s %5.1f ms (a sleeper %.1f ms)\n", what.c_str(), longest_ms,
+              sleeper_ms);
   if (longest_ms >= limit_ms_ + sleeper_ms) too_long_ms_[what] = longest_ms;
 }
 

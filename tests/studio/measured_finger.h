@@ -64,8 +64,8 @@ class MeasuredFinger {
 
  private:
   MeasuredFinger() {
-    std::filesystem::copy(
-        MadeFingers::get().calibrated(), folder(), std::filesystem::copy_options::recursive);
+    std::filesystem::copy(MadeFingers::get().calibrated(), folder(),
+                          std::filesystem::copy_options::recursive);
     const FingerPtr finger = open_finger(folder()).value();
     must(store_study(finger, made_up_study({}, finger->finger), program_version()));
   }

@@ -71,8 +71,8 @@ void expect_meanings(Field& field, const std::string& language, int& taken) {
     const bool is_nothing = text && text->trimmed().isEmpty();
     const bool is_typable = text && !text->contains(QRegularExpression(QStringLiteral("[\n\t]")));
     if (!is_typable || (is_nothing && !field.specialValueText().isEmpty())) continue;
-    SCOPED_TRACE(fmt::format(
-        "{} in '{}' ({})", text->toStdString(), field.accessibleName().toStdString(), language));
+    SCOPED_TRACE(fmt::format("{} in '{}' ({})", text->toStdString(),
+                             field.accessibleName().toStdString(), language));
     key(field, Qt::Key_Escape);
     field.setValue(field.maximum());
     field.setValue(field.minimum());

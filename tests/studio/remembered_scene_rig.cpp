@@ -32,8 +32,7 @@ class RememberedScene {
 /// Like SimulatedSource at the camera's pace.
 class RememberedSource : public Source {
  public:
-  RememberedSource(std::shared_ptr<RememberedScene> scene,
-                   std::string origin,
+  RememberedSource(std::shared_ptr<RememberedScene> scene, std::string origin,
                    const SourceOptions& options)
       : scene_(std::move(scene)), origin_(std::move(origin)), options_(options), pacer_(options) {}
   [[nodiscard]] Result<FramePtr> next() override {

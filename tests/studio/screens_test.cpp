@@ -39,14 +39,11 @@ std::vector<Look> looks() {
   if (!is_thorough() && qEnvironmentVariableIsSet("QT_SCALE_FACTOR"))
     return {Look{"light", Theme::kLight}};
   if (!is_thorough()) return {Look{"dark", Theme::kDark}};
-  return {Look{"light", Theme::kLight},
-          Look{"dark", Theme::kDark},
-          Look{"contrast", Theme::kHighContrast},
-          Look{"german", Theme::kLight, "de"}};
+  return {Look{"light", Theme::kLight}, Look{"dark", Theme::kDark},
+          Look{"contrast", Theme::kHighContrast}, Look{"german", Theme::kLight, "de"}};
 }
-INSTANTIATE_TEST_SUITE_P(Theme, Screens, testing::ValuesIn(looks()), [](const auto& look) {
-  return look.param.name;
-});
+INSTANTIATE_TEST_SUITE_P(Theme, Screens, testing::ValuesIn(looks()),
+                         [](const auto& look) { return look.param.name; });
 
 TEST_P(Screens, Start) {
   Studio studio;

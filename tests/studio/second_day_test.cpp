@@ -51,8 +51,8 @@ class SecondDay : public testing::Test {
   }
   void SetUp() override {
     std::filesystem::remove_all(rig_.finger());
-    std::filesystem::copy(
-        yesterday_->finger(), rig_.finger(), std::filesystem::copy_options::recursive);
+    std::filesystem::copy(yesterday_->finger(), rig_.finger(),
+                          std::filesystem::copy_options::recursive);
   }
   [[nodiscard]] bool is_recalled() {
     return wait_until(
@@ -89,8 +89,7 @@ TEST_F(SecondDay, ShowsEveryFigureAgainWithoutCalibrating) {
     ASSERT_EQ(now.residuals[i].samples.size(), made_->residuals[i].samples.size());
     for (std::size_t k = 0; k < now.residuals[i].samples.size(); ++k)
       EXPECT_NEAR(now.residuals[i].samples[k].residual_mm,
-                  made_->residuals[i].samples[k].residual_mm,
-                  1e-9);
+                  made_->residuals[i].samples[k].residual_mm, 1e-9);
   }
   EXPECT_EQ(zone_sentence(now.zones), zone_sentence(made_->zones));
 }

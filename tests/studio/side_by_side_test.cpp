@@ -67,17 +67,15 @@ TEST_F(SideBySidePlace, ShowsBothDepthsOfTheSameFrameAndWhatTheyDifferBy) {
       const float off = both.difference_mm.at<float>(v, u);
       if (!std::isfinite(off)) continue;
       ++compared;
-      ASSERT_FLOAT_EQ(
-          off,
-          both.other.depth->depth_mm.at<float>(v, u) - both.now.depth->depth_mm.at<float>(v, u));
+      ASSERT_FLOAT_EQ(off, both.other.depth->depth_mm.at<float>(v, u) -
+                               both.now.depth->depth_mm.at<float>(v, u));
     }
   EXPECT_GT(compared, 10000);
   EXPECT_GT(*both.p95_mm, *both.median_mm);
   EXPECT_GT(*both.median_mm, 0.0005) << "without smoothing depth is noisier";
   EXPECT_LT(*both.p95_mm, 0.2);
   EXPECT_TRUE(says(*studio, "This image:"));
-  for (const char* name : {"Depth with the setting in use now",
-                           "Depth with the chosen setting",
+  for (const char* name : {"Depth with the setting in use now", "Depth with the chosen setting",
                            "Difference of the two depths"})
     EXPECT_NE(studio->find<ImageView>(name), nullptr) << name;
   keep_pictures(*studio, "side_by_side");

@@ -65,8 +65,8 @@ class Spoken : public testing::Test {
 
 TEST_F(Spoken, AFingerThatCannotBeReadAndACameraThatIsNotThere) {
   const TemporaryFolder folder;
-  std::filesystem::copy(
-      MadeFingers::get().described(), folder / "finger", std::filesystem::copy_options::recursive);
+  std::filesystem::copy(MadeFingers::get().described(), folder / "finger",
+                        std::filesystem::copy_options::recursive);
   std::string yaml = read_file(folder / "finger" / "finger.yaml", 1 << 20).value();
   const std::string key = "layer_mm: ";
   yaml.replace(yaml.find(key), key.size(), key + "thick # ");
@@ -110,8 +110,7 @@ TEST_F(Spoken, TheVerdictTheAdviceAndTheRemarks) {
     rig.go_to_step(step);
     if (*step == '5') rig.place().findChild<VerdictPage*>()->unfold();
     in_every_language(
-        rig.studio(),
-        QStringLiteral("step_%1").arg(step),
+        rig.studio(), QStringLiteral("step_%1").arg(step),
         [&](const std::string& language, const std::string& texts) {
           if (*step == '4') {
             EXPECT_THAT(texts, HasSubstr(language == "de" ? "Abbildung: " : "映射："));

@@ -167,11 +167,8 @@ void drag_of_an_outline(benchmark::State& state) {
   for ([[maybe_unused]] const auto _ : state) {
     ++step;
     const auto begin = std::chrono::steady_clock::now();
-    QMouseEvent move(QEvent::MouseMove,
-                     QPointF(rim + QPoint(step % 40, step % 7)),
-                     editor.mapToGlobal(QPointF(rim)),
-                     Qt::NoButton,
-                     Qt::LeftButton,
+    QMouseEvent move(QEvent::MouseMove, QPointF(rim + QPoint(step % 40, step % 7)),
+                     editor.mapToGlobal(QPointF(rim)), Qt::NoButton, Qt::LeftButton,
                      Qt::NoModifier);
     QCoreApplication::sendEvent(&editor, &move);
     editor.render(&screen);

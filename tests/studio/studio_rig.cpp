@@ -24,9 +24,7 @@ bool is_thorough() {
          qEnvironmentVariableIsSet("ALLTACT_RENEW_HELP");
 }
 
-cv::Size small_size_px() {
-  return is_thorough() ? cv::Size(960, 540) : cv::Size(768, 432);
-}
+cv::Size small_size_px() { return is_thorough() ? cv::Size(960, 540) : cv::Size(768, 432); }
 
 std::string small_scene(bool is_touched, int width_px) {
   const double scale = width_px / 960.0;
@@ -59,11 +57,7 @@ std::string small_scene(bool is_touched, int width_px) {
       "  - {{use: read, sd: 1.0}}\n"
       "  - {{use: quantisation}}\n",
       is_touched ? 0.3 : 3.0,  // a touched finger stays near the pose at rest
-      width_px,
-      height_px,
-      523.9 * scale,
-      0.5 * (width_px - 1),
-      0.5 * (height_px - 1),
+      width_px, height_px, 523.9 * scale, 0.5 * (width_px - 1), 0.5 * (height_px - 1),
       is_touched ? ball : "");
 }
 
@@ -132,8 +126,7 @@ SourceOpener with_camera(FakeCamera& fake) {
 void leave_as_after_a_crash(const std::filesystem::path& session_folder) {
   constexpr int kNobody = 4194303;  // no process has this number here
   must(write_file_atomically(session_folder / "running.lock",
-                             fmt::format("{}\nalltact-studio\n{}\n{}\n{}\n",
-                                         kNobody,
+                             fmt::format("{}\nalltact-studio\n{}\n{}\n{}\n", kNobody,
                                          QSysInfo::machineHostName().toStdString(),
                                          QSysInfo::machineUniqueId().toStdString(),
                                          QSysInfo::bootUniqueId().toStdString())));
@@ -167,9 +160,7 @@ Studio::Studio(StudioOptions options) {
   static_cast<void>(QTest::qWaitForWindowExposed(window_.get()));
 }
 
-Studio::~Studio() {
-  window_.reset();
-}
+Studio::~Studio() { window_.reset(); }
 
 QString Studio::text_of(const QWidget& widget) {
   const QVariant text =
@@ -198,8 +189,6 @@ bool Studio::wait_for_picture() {
   return wait_until([this] { return session().view() != nullptr; });
 }
 
-void Studio::close() {
-  window_->close();
-}
+void Studio::close() { window_->close(); }
 
 }  // namespace alltact::test

@@ -133,8 +133,8 @@ TEST(LiveTouch, SaysHowAFingerGetsAForceModel) {
 
 TEST(LiveTouch, SaysThatAForceModelIsBroken) {
   const TemporaryFolder folder;
-  std::filesystem::copy(
-      ForceFinger::get().folder(), folder / "broken", std::filesystem::copy_options::recursive);
+  std::filesystem::copy(ForceFinger::get().folder(), folder / "broken",
+                        std::filesystem::copy_options::recursive);
   const std::string file = open_finger(folder / "broken").value()->finger.force_model;
   std::filesystem::resize_file(folder / "broken" / file, 100);
   StudioOptions options = strong(MadeFingers::get().bending());

@@ -137,8 +137,8 @@ TEST_P(Language, MissesATemplateOfWhichOneLetterIsOther) {
     ASSERT_NE(begin, std::string::npos);
     changed[begin + 1] = '#';
     write_text(folder / "camera.cpp", changed);
-    fs::copy_file(
-        kTop / "translations" / name(), folder / name(), fs::copy_options::overwrite_existing);
+    fs::copy_file(kTop / "translations" / name(), folder / name(),
+                  fs::copy_options::overwrite_existing);
     QStringList unknown;
     for (const TsMessage& message :
          looked_at("'" + (folder / "camera.cpp").string() + "'", folder / name()))
@@ -179,10 +179,8 @@ class Pseudo : public QTranslator {
  public:
   static constexpr QChar kOpen{0x27e6}, kClose{0x27e7};
   [[nodiscard]] bool isEmpty() const override { return false; }
-  [[nodiscard]] QString translate(const char* context,
-                                  const char* source,
-                                  const char* /*disambiguation*/,
-                                  int n) const override {
+  [[nodiscard]] QString translate(const char* context, const char* source,
+                                  const char* /*disambiguation*/, int n) const override {
     if (!QByteArray(context).startsWith("alltact")) return {};
     QString text = QString::fromUtf8(source);
     // Blanks of another kind, so that what a library said and nobody translated is told apart.

@@ -34,8 +34,8 @@ class TwoFingers {
  private:
   TwoFingers() {
     for (const std::filesystem::path& finger : {left(), right()})
-      std::filesystem::copy(
-          MadeFingers::get().calibrated(), finger, std::filesystem::copy_options::recursive);
+      std::filesystem::copy(MadeFingers::get().calibrated(), finger,
+                            std::filesystem::copy_options::recursive);
     write(left_video(), 6, 100);
     write(right_video(), 12, 50);
   }

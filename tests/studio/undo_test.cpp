@@ -17,9 +17,7 @@ namespace {
 
 using Inputs = std::vector<std::filesystem::path>;
 
-void undo(Studio& studio) {
-  QTest::keyClick(&studio.window(), Qt::Key_Z, Qt::ControlModifier);
-}
+void undo(Studio& studio) { QTest::keyClick(&studio.window(), Qt::Key_Z, Qt::ControlModifier); }
 void redo(Studio& studio) {
   QTest::keyClick(&studio.window(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
 }

@@ -83,13 +83,8 @@ void use_window(LoopWatch& watch) {
         return action->trigger();
     ADD_FAILURE() << "no entry " << entry;
   };
-  for (const char* entry : {"Video file…",
-                            "Folder of images…",
-                            "Open finger…",
-                            "New finger…",
-                            "Settings…",
-                            "Help on this page",
-                            "About AllTact Studio"}) {
+  for (const char* entry : {"Video file…", "Folder of images…", "Open finger…", "New finger…",
+                            "Settings…", "Help on this page", "About AllTact Studio"}) {
     during(
         entry, [&] { choose(entry); }, 200);
     for (QDialog* dialog : window.findChildren<QDialog*>()) dialog->close();
@@ -107,12 +102,10 @@ TEST(Window, NeverBlocksForMoreThan30Milliseconds) {
 }
 
 class Closing : public testing::TestWithParam<const char*> {};
-INSTANTIATE_TEST_SUITE_P(
-    State,
-    Closing,
-    testing::Values(
-        "empty", "opening", "live", "loading", "recording", "failed", "record_place", "stuck"),
-    [](const auto& state) { return std::string(state.param); });
+INSTANTIATE_TEST_SUITE_P(State, Closing,
+                         testing::Values("empty", "opening", "live", "loading", "recording",
+                                         "failed", "record_place", "stuck"),
+                         [](const auto& state) { return std::string(state.param); });
 
 TEST_P(Closing, TakesLessThanASecond) {
   static_cast<void>(MadeFingers::get());

@@ -267,8 +267,7 @@ TEST_F(Worth, LooksAsItShould) {
     ProgramAppearance appearance;
     appearance.apply({Theme::kLight, QStringLiteral("en")});
   };
-  const auto look_at = [&](const CalibrateStudio& as,
-                           const std::string& name,
+  const auto look_at = [&](const CalibrateStudio& as, const std::string& name,
                            const std::function<void()>& prepare,
                            const std::vector<const char*>& steps) {
     rig_.close();
@@ -283,15 +282,13 @@ TEST_F(Worth, LooksAsItShould) {
   };
   look_at(*good_, "good", [&] { add_check(rig_.finger(), 3); }, {"4", "5", "6"});
   look_at(*poor_, "unproven", [&] { add_check(rig_.finger(), 1); }, {"5", "6"});
-  look_at(*good_,
-          "changed",
+  look_at(*good_, "changed",
           [&] {
             add_check(rig_.finger(), 3);
             change(rig_.finger(), [](Finger& finger) { finger.face.layer_mm = 1.6; });
           },
           {"4", "5", "6"});
-  look_at(*good_,
-          "contradiction",
+  look_at(*good_, "contradiction",
           [&] {
             change(rig_.finger(), [](Finger& finger) {
               finger.mapping_record->basis->contradictions = {

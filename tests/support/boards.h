@@ -59,8 +59,8 @@ BoardPose random_pose(const Board& board, double tilt_deg, double distance, Rand
   const Eigen::AngleAxisd lean(tilt, Eigen::Vector3d(std::cos(way), std::sin(way), 0));
   const Eigen::AngleAxisd turn(Eigen::Matrix3d(lean.toRotationMatrix() * roll.toRotationMatrix()));
   const double z = board.diagonal_mm() * distance * (1 + 0.15 * unit(random));
-  const Eigen::Vector3d middle(
-      0.5 * board.square_mm * (board.columns - 1), 0.5 * board.square_mm * (board.rows - 1), 0);
+  const Eigen::Vector3d middle(0.5 * board.square_mm * (board.columns - 1),
+                               0.5 * board.square_mm * (board.rows - 1), 0);
   BoardPose pose;
   pose.turn = turn.angle() * turn.axis();
   pose.shift_mm =
@@ -70,11 +70,8 @@ BoardPose random_pose(const Board& board, double tilt_deg, double distance, Rand
 
 /// nullopt when a corner lies outside the picture.
 template <class Random>
-std::optional<BoardView> seen_by(const Camera& camera,
-                                 const Board& board,
-                                 const BoardPose& pose,
-                                 double noise_px,
-                                 Random& random) {
+std::optional<BoardView> seen_by(const Camera& camera, const Board& board, const BoardPose& pose,
+                                 double noise_px, Random& random) {
   std::normal_distribution<double> noise(0, 1);
   BoardView view;
   view.board_mm = places(board);
@@ -95,12 +92,8 @@ struct BoardScene {
 };
 
 template <class Random>
-BoardScene board_scene(const Camera& camera,
-                       const Board& board,
-                       int count,
-                       double tilt_deg,
-                       double noise_px,
-                       Random& random) {
+BoardScene board_scene(const Camera& camera, const Board& board, int count, double tilt_deg,
+                       double noise_px, Random& random) {
   BoardScene scene;
   const double distance = camera.parameters().model == CameraModel::kFisheye ? 0.9 : 1.4;
   while (static_cast<int>(scene.views.size()) < count) {
@@ -127,9 +120,7 @@ class BoardPainter {
 
   /// `ink(x_mm, y_mm)`: brightness of the board there, 0 to 255; slightly blurred, with noise.
   template <class Ink>
-  [[nodiscard]] cv::Mat paint(const BoardPose& pose,
-                              const Ink& ink,
-                              std::uint64_t seed,
+  [[nodiscard]] cv::Mat paint(const BoardPose& pose, const Ink& ink, std::uint64_t seed,
                               double noise_sd = 1.5) const {
     const Eigen::Matrix3d to_board = pose.rotation().transpose();
     const Eigen::Vector3d from = -(to_board * pose.shift_mm);

@@ -90,13 +90,7 @@ struct TouchedRecording {
         "effects:\n"
         "  - {{use: bend, q1_mm: {{from: -6.0, to: 6.0}}, q2_mm: {{from: -5.0, to: 5.0}}}}\n"
         "  - {{use: sway, sway_mm: {{from: -3.0, to: 3.0}}}}\n",
-        frames,
-        width,
-        height,
-        523.9 * scale,
-        523.9 * scale,
-        0.5 * (width - 1),
-        0.5 * (height - 1),
+        frames, width, height, 523.9 * scale, 523.9 * scale, 0.5 * (width - 1), 0.5 * (height - 1),
         frames_per_move);
     for (const DrawnTouch& touch : touches) {
       std::vector<std::string> depths, places, gives;
@@ -111,11 +105,7 @@ struct TouchedRecording {
       }
       text += fmt::format(
           "  - {{use: {}, from: {}, until: {}, s_mm: [{}], y_mm: {:.3f}, depth_mm: [{}]{}}}\n",
-          touch.body,
-          touch.first,
-          touch.end,
-          fmt::join(places, ", "),
-          touch.y_mm,
+          touch.body, touch.first, touch.end, fmt::join(places, ", "), touch.y_mm,
           fmt::join(depths, ", "),
           touch.give_mm > 0 ? fmt::format(", give_mm: [{}]", fmt::join(gives, ", ")) : "");
     }
@@ -124,8 +114,7 @@ struct TouchedRecording {
         if (touch.body.starts_with("ball")) {
           text +=
               fmt::format("  - {{use: bulge, from: {}, until: {}, share: 0.05, width_mm: 1.5}}\n",
-                          touch.first,
-                          touch.end);
+                          touch.first, touch.end);
           break;
         }
     text +=
@@ -138,8 +127,7 @@ struct TouchedRecording {
     text += fmt::format(
         "      - {{at_mm: [4.0, {:.1f}, -20.0], power: {:.1f}, aim_mm: [71.0, 0.0, 93.0], lobe: "
         "8}}\n",
-        lamp_moved_mm,
-        3300000.0 * lamp_power);
+        lamp_moved_mm, 3300000.0 * lamp_power);
     text += light;
     text += fmt::format("  - {{use: read, sd: {:.2f}}}\n  - {{use: quantisation}}\n", noise_sd);
     return text;
@@ -155,30 +143,16 @@ struct TouchedRecording {
   }
 
   [[nodiscard]] std::string description() const {
-    std::string text = fmt::format("seed {}: {} frames, {} a move, noise {:.2f}{}{}",
-                                   seed,
-                                   frames,
-                                   frames_per_move,
-                                   noise_sd,
-                                   light.empty() ? "" : ", light drifts",
+    std::string text = fmt::format("seed {}: {} frames, {} a move, noise {:.2f}{}{}", seed, frames,
+                                   frames_per_move, noise_sd, light.empty() ? "" : ", light drifts",
                                    bulges ? ", bulges" : "");
     for (const DrawnTouch& t : touches)
       text += fmt::format(
           "; {} to {} {} of {:.2f} mm at {:.0f} mm to {:.0f} mm, {:.1f} mm across, {}, give {:.1f}",
-          t.first,
-          t.end - 1,
-          std::vector<const char*>{"",
-                                   "slow",
-                                   "abrupt",
-                                   "held",
-                                   "fading",
+          t.first, t.end - 1,
+          std::vector<const char*>{"", "slow", "abrupt", "held", "fading",
                                    "growing"}[static_cast<std::size_t>(t.profile)],
-          t.depth_mm,
-          t.s_mm,
-          t.to_s_mm,
-          t.y_mm,
-          t.body,
-          t.give_mm);
+          t.depth_mm, t.s_mm, t.to_s_mm, t.y_mm, t.body, t.give_mm);
     return text;
   }
 };
@@ -203,15 +177,11 @@ inline std::string drawn_body(Draw& draw) {
   switch (draw.whole(0, 5)) {
     case 0:
       return fmt::format("cylinder, radius_mm: {:.2f}, length_mm: {:.1f}, rotation_deg: {:.0f}",
-                         draw.between(2, 6),
-                         draw.between(6, 16),
-                         draw.between(-90, 90));
+                         draw.between(2, 6), draw.between(6, 16), draw.between(-90, 90));
     case 1:
       return fmt::format(
           "edge, angle_deg: {:.0f}, radius_mm: {:.2f}, length_mm: {:.1f}, rotation_deg: {:.0f}",
-          draw.between(80, 130),
-          draw.between(0.5, 1.5),
-          draw.between(6, 14),
+          draw.between(80, 130), draw.between(0.5, 1.5), draw.between(6, 14),
           draw.between(-90, 90));
     case 2:
       return fmt::format("punch, radius_mm: {:.2f}", draw.between(1.5, 4));
@@ -224,12 +194,9 @@ inline std::string drawn_body(Draw& draw) {
 inline DrawnTouch drawn_touch(Draw& draw, int first, int end) {
   DrawnTouch touch;
   touch.first = first, touch.end = end;
-  constexpr TouchProfile kProfiles[] = {TouchProfile::kSlow,
-                                        TouchProfile::kSlow,
-                                        TouchProfile::kAbrupt,
-                                        TouchProfile::kHeld,
-                                        TouchProfile::kFading,
-                                        TouchProfile::kGrowing};
+  constexpr TouchProfile kProfiles[] = {TouchProfile::kSlow,   TouchProfile::kSlow,
+                                        TouchProfile::kAbrupt, TouchProfile::kHeld,
+                                        TouchProfile::kFading, TouchProfile::kGrowing};
   touch.profile = kProfiles[draw.whole(0, 5)];
   if (touch.profile == TouchProfile::kFading && first > 0) touch.profile = TouchProfile::kHeld;
   // Between these a pixel of half a millimetre does not show it above its noise.
@@ -253,13 +220,11 @@ inline TouchedRecording drawn_recording(std::uint64_t seed, bool touched) {
   switch (draw.whole(0, 3)) {
     case 0:
       recording.light = fmt::format("  - {{use: warming, loss: {:.3f}, after_s: {:.1f}}}\n",
-                                    draw.between(0.01, 0.1),
-                                    draw.between(1, 8));
+                                    draw.between(0.01, 0.1), draw.between(1, 8));
       break;
     case 1:
       recording.light = fmt::format("  - {{use: gain-drift, sd: {:.3f}, every_s: {:.1f}}}\n",
-                                    draw.between(0.003, 0.02),
-                                    draw.between(0.5, 5));
+                                    draw.between(0.003, 0.02), draw.between(0.5, 5));
       break;
     default:
       break;

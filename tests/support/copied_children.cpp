@@ -18,7 +18,7 @@ int clone(int (*child)(void*), void* stack, int flags, void* argument, ...) noex
   auto* storage = va_arg(further, void*);
   auto* childs_id = va_arg(further, pid_t*);
   va_end(further);
-  return __interceptor_clone(
-      child, stack, flags & ~(CLONE_VM | CLONE_VFORK), argument, parents_id, storage, childs_id);
+  return __interceptor_clone(child, stack, flags & ~(CLONE_VM | CLONE_VFORK), argument, parents_id,
+                             storage, childs_id);
 }
 }

@@ -17,8 +17,7 @@ struct FlatFinger {
   FlatFinger() = default;
   /// A copy in a folder of its own.
   FlatFinger(const FlatFinger& other) : presses(other.presses) {
-    std::filesystem::copy(other.folder.path(),
-                          folder.path(),
+    std::filesystem::copy(other.folder.path(), folder.path(),
                           std::filesystem::copy_options::recursive |
                               std::filesystem::copy_options::overwrite_existing);
     for (auto& press : presses) press = folder / press.filename().string();
@@ -35,8 +34,8 @@ struct FlatFinger {
   /// Calibrates with these presses, or all four.
   [[nodiscard]] ProgramRun calibrate(const std::vector<std::string>& inputs = {},
                                      const std::string& reference = "ref.png") const {
-    std::vector<std::string> arguments = {
-        "calibrate", finger(), "--reference", file(reference), "--ball-radius-mm", "4"};
+    std::vector<std::string> arguments = {"calibrate",     finger(),           "--reference",
+                                          file(reference), "--ball-radius-mm", "4"};
     if (inputs.empty()) {
       for (const auto& press : presses) arguments.push_back(press.string());
     }
@@ -55,16 +54,8 @@ struct FlatFinger {
 
 /// A Fin Ray finger's folder with nothing but what it was made with.
 inline ProgramRun make_fin_ray(const std::string& finger, const std::filesystem::path& camera) {
-  return run_alltact({"new",
-                      finger,
-                      "--camera",
-                      camera.string(),
-                      "--layer-mm",
-                      "1.5",
-                      "--width-mm",
-                      "24",
-                      "--per-row",
-                      "6"});
+  return run_alltact({"new", finger, "--camera", camera.string(), "--layer-mm", "1.5", "--width-mm",
+                      "24", "--per-row", "6"});
 }
 
 }  // namespace alltact::test

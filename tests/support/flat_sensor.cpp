@@ -61,9 +61,7 @@ cv::Mat_<float> ball_depth_mm(double u, double v, double depth_mm) {
   return depth;
 }
 
-cv::Mat untouched_picture(std::uint64_t seed) {
-  return noisy_picture(seed, clean_level);
-}
+cv::Mat untouched_picture(std::uint64_t seed) { return noisy_picture(seed, clean_level); }
 
 cv::Mat pressed_picture(const cv::Mat_<float>& depth_mm, std::uint64_t seed) {
   return noisy_picture(seed, [&](int u, int v) {

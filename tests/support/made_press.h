@@ -60,9 +60,7 @@ inline MadeScene finger_scene(double z0_mm, double incline_deg) {
       edge->valid.push_back(p.cy_px - half > 1.0 && z > 10.0);
     }
   }
-  return {camera,
-          face,
-          FaceShape::fit(edges, camera, face, 7).value(),
+  return {camera, face, FaceShape::fit(edges, camera, face, 7).value(),
           Eigen::Vector3d(-slope, 0.0, 1.0).normalized()};
 }
 
@@ -244,12 +242,8 @@ cv::Mat difference_of(const MadeScene& scene, const Layer& layer, const DepthOf&
   return x;
 }
 
-inline Press make_punch_press(const MadeScene& scene,
-                              const Layer& layer,
-                              const Punch& punch,
-                              double noise,
-                              std::mt19937& random,
-                              const std::string& name) {
+inline Press make_punch_press(const MadeScene& scene, const Layer& layer, const Punch& punch,
+                              double noise, std::mt19937& random, const std::string& name) {
   const Eigen::Vector3d n = scene.normal;
   const Eigen::Vector3d foot =
       scene.shape.at(punch.u, punch.v).value().view_point_mm + scene.face.layer_mm * n;
@@ -267,12 +261,8 @@ inline Press make_punch_press(const MadeScene& scene,
 }
 
 /// noise: see noisy_difference.
-inline Made make_press(const MadeScene& scene,
-                       const Layer& layer,
-                       const Contact& contact,
-                       const std::vector<Ball>& balls,
-                       double noise,
-                       std::mt19937& random,
+inline Made make_press(const MadeScene& scene, const Layer& layer, const Contact& contact,
+                       const std::vector<Ball>& balls, double noise, std::mt19937& random,
                        const std::string& name = "press") {
   const cv::Size size = scene.camera.size();
   const Eigen::Vector3d n = scene.normal;
@@ -315,9 +305,7 @@ inline Made make_press(const MadeScene& scene,
           static_cast<float>(layer.difference_at(depth / (1.0 + layer.uneven.dot(place))));
     }
   }
-  return {{name,
-           noisy_difference(x, grain, noise),
-           scene.shape,
+  return {{name, noisy_difference(x, grain, noise), scene.shape,
            balls.empty() ? 4.0 : balls[0].radius_mm},
           feet.empty() ? Eigen::Vector3d::Zero().eval()
                        : (feet[0] + (balls[0].radius_mm - balls[0].depth_mm) * n).eval()};

@@ -80,8 +80,8 @@ struct MarkedFinger {
     for (const double side : {-1.0, 1.0}) {
       const auto shares = shares_of(side);
       for (std::size_t i = 0; i < shares.size(); ++i)
-        result.push_back(disc(
-            points, side, shares[i], off_face_mm, dot_mm * (i < sizes.size() ? sizes[i] : 1.0)));
+        result.push_back(disc(points, side, shares[i], off_face_mm,
+                              dot_mm * (i < sizes.size() ? sizes[i] : 1.0)));
     }
     return result;
   }
@@ -96,11 +96,8 @@ struct MarkedFinger {
   }
 
   /// Anything round on a side face, fixed to the finger.
-  [[nodiscard]] Disc disc(const std::vector<Point>& points,
-                          double side,
-                          double share,
-                          double off_mm,
-                          double radius_mm) const {
+  [[nodiscard]] Disc disc(const std::vector<Point>& points, double side, double share,
+                          double off_mm, double radius_mm) const {
     const Point p = at(points, share, off_mm);
     const Eigen::Vector2d q = project(p.x, side * half_width_mm + p.y, p.z);
     const double r = radius_mm * focal / p.z;
@@ -127,8 +124,7 @@ struct MarkedFinger {
       if (i > 0) {
         const double low = std::min(q.x(), before.x()), high = std::max(q.x(), before.x());
         for (int u = std::max(0, static_cast<int>(std::ceil(low)));
-             u <= std::min<double>(width - 1, high);
-             ++u)
+             u <= std::min<double>(width - 1, high); ++u)
           v[static_cast<std::size_t>(u)] =
               before.y() + (q.y() - before.y()) * (u - before.x()) / (q.x() - before.x());
       }
@@ -153,8 +149,7 @@ struct MarkedFinger {
   };
 
   /// The picture without noise: `hidden` markers are not painted, `extras` are painted last.
-  [[nodiscard]] cv::Mat clean(const Bend& bend,
-                              const std::vector<int>& hidden = {},
+  [[nodiscard]] cv::Mat clean(const Bend& bend, const std::vector<int>& hidden = {},
                               const std::vector<Extra>& extras = {}) const {
     cv::Mat image(height, width, CV_32FC1, cv::Scalar(dark_level));
     auto up = edge(bend, -1, 0), low = edge(bend, 1, 0);
@@ -195,11 +190,9 @@ struct MarkedFinger {
   static void paint(cv::Mat& image, const Disc& d, double level) {
     constexpr int kSub = 8;
     for (int v = std::max(0, static_cast<int>(d.v - d.radius_v - 1));
-         v <= std::min(image.rows - 1, static_cast<int>(d.v + d.radius_v + 2));
-         ++v)
+         v <= std::min(image.rows - 1, static_cast<int>(d.v + d.radius_v + 2)); ++v)
       for (int u = std::max(0, static_cast<int>(d.u - d.radius_u - 1));
-           u <= std::min(image.cols - 1, static_cast<int>(d.u + d.radius_u + 2));
-           ++u) {
+           u <= std::min(image.cols - 1, static_cast<int>(d.u + d.radius_u + 2)); ++u) {
         int inside = 0;
         for (int a = 0; a < kSub; ++a)
           for (int b = 0; b < kSub; ++b) {
@@ -262,12 +255,9 @@ struct MarkedFinger {
   [[nodiscard]] std::vector<Dot> typical(const Bend& bend) const {
     std::vector<Dot> dots;
     for (const Disc& d : discs(bend)) {
-      Dot dot{d.u,
-              d.v,
-              std::sqrt(d.radius_u * d.radius_v),
-              dot_contrast * (1.2 - 0.4 * d.u / width),
-              0.02,
-              false};
+      Dot dot{
+          d.u,  d.v,  std::sqrt(d.radius_u * d.radius_v), dot_contrast * (1.2 - 0.4 * d.u / width),
+          0.02, false};
       dot.upper = static_cast<int>(dots.size()) < per_row;
       dots.push_back(dot);
     }
@@ -277,9 +267,7 @@ struct MarkedFinger {
 
 inline Bend random_bend(std::mt19937& random, double share = 1.0) {
   std::uniform_real_distribution<double> one(-1.0, 1.0);
-  return {0.45 * share * one(random),
-          0.25 * share * one(random),
-          9 * share * one(random),
+  return {0.45 * share * one(random), 0.25 * share * one(random), 9 * share * one(random),
           0.05 * share * one(random)};
 }
 

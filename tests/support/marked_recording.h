@@ -50,8 +50,8 @@ inline Finger described(const MarkedFinger& f) {
 
 inline Bend pose(int i, int frames) {
   const double t = 2 * M_PI * i / frames;
-  return {
-      0.35 * std::sin(t), 0.2 * std::sin(2 * t + 1), 6 * std::cos(3 * t), 0.03 * std::sin(5 * t)};
+  return {0.35 * std::sin(t), 0.2 * std::sin(2 * t + 1), 6 * std::cos(3 * t),
+          0.03 * std::sin(5 * t)};
 }
 
 }  // namespace alltact::test

@@ -35,8 +35,7 @@ class OnnxBytes {
   OnnxBytes& input(const std::string& name, const Shape& shape) { return port(11, name, shape); }
   OnnxBytes& output(const std::string& name, const Shape& shape) { return port(12, name, shape); }
 
-  OnnxBytes& weights(const std::string& name,
-                     const Shape& shape,
+  OnnxBytes& weights(const std::string& name, const Shape& shape,
                      const std::vector<float>& values) {
     std::string raw(values.size() * sizeof(float), '\0');
     std::memcpy(raw.data(), values.data(), raw.size());
@@ -51,10 +50,8 @@ class OnnxBytes {
     std::string name;
     Shape values;
   };
-  OnnxBytes& node(const std::string& kind,
-                  const std::vector<std::string>& from,
-                  const std::string& to,
-                  const std::vector<Attribute>& attributes = {}) {
+  OnnxBytes& node(const std::string& kind, const std::vector<std::string>& from,
+                  const std::string& to, const std::vector<Attribute>& attributes = {}) {
     using namespace protobuf;
     std::string bytes;
     for (const std::string& name : from) bytes += block(1, name);

@@ -17,11 +17,8 @@ inline std::string what_differs(const QImage& seen, const QImage& expected) {
   constexpr int kOff = 64, kTile = 16, kMostOfTile = kTile * kTile / 8;
   constexpr double kMostOfAll = 0.005;
   if (seen.size() != expected.size())
-    return fmt::format("{} x {} px instead of {} x {}",
-                       seen.width(),
-                       seen.height(),
-                       expected.width(),
-                       expected.height());
+    return fmt::format("{} x {} px instead of {} x {}", seen.width(), seen.height(),
+                       expected.width(), expected.height());
   const auto is_off = [&](int x, int y) {
     const QRgb a = seen.pixel(x, y), b = expected.pixel(x, y);
     return std::abs(qRed(a) - qRed(b)) > kOff || std::abs(qGreen(a) - qGreen(b)) > kOff ||

@@ -42,8 +42,7 @@ inline ProcessFigures process_figures(const std::filesystem::path& folder) {
   figures.threads = entries_in("/proc/self/task");
   std::error_code gone;
   for (std::filesystem::recursive_directory_iterator entry(folder, gone), end;
-       !gone && entry != end;
-       entry.increment(gone))
+       !gone && entry != end; entry.increment(gone))
     ++figures.files;
   return figures;
 }

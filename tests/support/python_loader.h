@@ -28,10 +28,7 @@ struct DepthDifference {
     return fmt::format(
         "all: median {:.4f} mm, 95 % within {:.4f} mm; contacts: median {:.4f} mm, 95 % within "
         "{:.4f} mm; {:.4f} missing",
-        part(all, 0.5),
-        part(all, 0.95),
-        part(in_contact, 0.5),
-        part(in_contact, 0.95),
+        part(all, 0.5), part(all, 0.95), part(in_contact, 0.5), part(in_contact, 0.95),
         missing_part());
   }
   [[nodiscard]] double missing_part() const {
@@ -50,9 +47,7 @@ inline DepthDifference python_against_program(const std::string& finger,
       run_alltact({"export", finger, "--to", "zip", "-o", folder.path().string()});
   EXPECT_EQ(exported.status, 0) << exported.errors;
   std::string command = fmt::format("{} -W error {}/packaging/python/alltact_finger.py '{}'",
-                                    kPython,
-                                    ALLTACT_SOURCE_DIR,
-                                    (folder / "finger.zip").string());
+                                    kPython, ALLTACT_SOURCE_DIR, (folder / "finger.zip").string());
   for (const fs::path& image : images) {
     const fs::path copy = folder / image.filename().string();
     fs::copy_file(image, copy);

@@ -6,13 +6,9 @@
 
 namespace alltact::test {
 
-inline bool is_slow_run() {
-  return std::getenv("ALLTACT_SLOW") != nullptr;
-}
+inline bool is_slow_run() { return std::getenv("ALLTACT_SLOW") != nullptr; }
 
 /// How many fingers, runs or rounds: a handful, or as many as a figure needs.
-inline int as_many_as(int quick, int slow) {
-  return is_slow_run() ? slow : quick;
-}
+inline int as_many_as(int quick, int slow) { return is_slow_run() ? slow : quick; }
 
 }  // namespace alltact::test

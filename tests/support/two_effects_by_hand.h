@@ -17,8 +17,7 @@
 namespace alltact {
 
 // The layer, a bare lamp, one aimed with a lobe of cos^8, and grey levels.
-ALLTACT_WIDE inline void two_effects_row(const FaceRow& face,
-                                         const Surface& surface,
+ALLTACT_WIDE inline void two_effects_row(const FaceRow& face, const Surface& surface,
                                          std::uint8_t* __restrict bytes) {
   constexpr float kScatter = 0.6F, kNearPower = 540000, kFarPower = 3300000;
   constexpr float kFarX = 4, kFarZ = -20;

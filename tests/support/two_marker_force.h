@@ -27,9 +27,7 @@ inline ForceModel two_marker_force() {
     member.regressors = {{ForceLayer{weights, Eigen::Vector2d(off, 0)}}};
     model.members.push_back(member);
   }
-  model.scores = {Eigen::Vector2d(0.03, 0.04),
-                  Eigen::Vector2d(1, 1),
-                  Eigen::Vector2d(1.7, 1.7),
+  model.scores = {Eigen::Vector2d(0.03, 0.04), Eigen::Vector2d(1, 1), Eigen::Vector2d(1.7, 1.7),
                   Eigen::Vector2d(2, 2)};
   model.record["split"] = "block";
   return model;

@@ -20,8 +20,7 @@ inline double unlike_part(const QImage& a, const QImage& b) {
   for (int y = 0; y < size.height(); ++y)
     for (int x = 0; x < size.width(); ++x) {
       const QRgb p = left.pixel(x, y), q = right.pixel(x, y);
-      const int off = std::max({std::abs(qRed(p) - qRed(q)),
-                                std::abs(qGreen(p) - qGreen(q)),
+      const int off = std::max({std::abs(qRed(p) - qRed(q)), std::abs(qGreen(p) - qGreen(q)),
                                 std::abs(qBlue(p) - qBlue(q))});
       unlike += off > 48;
     }

@@ -9,9 +9,7 @@
 namespace alltact {
 namespace {
 
-QColor colour_of(const AgeLabel& label) {
-  return label.palette().color(QPalette::WindowText);
-}
+QColor colour_of(const AgeLabel& label) { return label.palette().color(QPalette::WindowText); }
 
 TEST(AgeLabelTest, StandsOutAbove200Milliseconds) {
   AgeLabel label;
@@ -26,9 +24,9 @@ TEST(AgeLabelTest, StandsOutAbove200Milliseconds) {
     label.show_age(age_ms);
     EXPECT_EQ(label.text().toStdString(), text.toStdString());
     EXPECT_EQ(label.toolTip().isEmpty(), !text.startsWith(sign)) << age_ms;
-    EXPECT_EQ(
-        colour_of(label),
-        text.startsWith(sign) ? meaning_colour(Meaning::kBad, QApplication::palette()) : usual)
+    EXPECT_EQ(colour_of(label), text.startsWith(sign)
+                                    ? meaning_colour(Meaning::kBad, QApplication::palette())
+                                    : usual)
         << age_ms;
   }
   label.show_age(std::nullopt);

@@ -33,11 +33,8 @@ std::vector<CameraControl> usual() {
   flicker.type = ControlType::kBoolean;
   CameraControl button = number(1, "Pan Reset", 0, 0, 0, 0);
   button.type = ControlType::kButton;
-  return {flicker,
-          button,
-          number(V4L2_CID_GAIN, "Gain", 0, 100, 5, 20),
-          number(V4L2_CID_EXPOSURE_ABSOLUTE, "Exposure Time, Absolute", 3, 2047, 1, 200),
-          mode};
+  return {flicker, button, number(V4L2_CID_GAIN, "Gain", 0, 100, 5, 20),
+          number(V4L2_CID_EXPOSURE_ABSOLUTE, "Exposure Time, Absolute", 3, 2047, 1, 200), mode};
 }
 
 class ControlPanelTest : public testing::Test {

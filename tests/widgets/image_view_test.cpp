@@ -57,14 +57,8 @@ class ImageViewTest : public testing::Test {
   }
   void hover(QPoint at) { QTest::mouseMove(&view_, at); }
   void wheel(QPointF at, int notches) {
-    QWheelEvent event(at,
-                      view_.mapToGlobal(at),
-                      {},
-                      {0, 120 * notches},
-                      Qt::NoButton,
-                      Qt::NoModifier,
-                      Qt::NoScrollPhase,
-                      false);
+    QWheelEvent event(at, view_.mapToGlobal(at), {}, {0, 120 * notches}, Qt::NoButton,
+                      Qt::NoModifier, Qt::NoScrollPhase, false);
     QCoreApplication::sendEvent(&view_, &event);
   }
   void key(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
@@ -97,9 +91,7 @@ TEST_F(ImageViewTest, PaintsEveryPixelWhereItLies) {
   }
 }
 
-TEST_F(ImageViewTest, DoesNotCopyThePicture) {
-  EXPECT_EQ(view_.image().data, grey_.data);
-}
+TEST_F(ImageViewTest, DoesNotCopyThePicture) { EXPECT_EQ(view_.image().data, grey_.data); }
 
 TEST_F(ImageViewTest, WheelZoomsAboutThePointer) {
   const QPointF pointer(200, 250);

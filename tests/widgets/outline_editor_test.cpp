@@ -58,8 +58,7 @@ class OutlineGeometry : public testing::TestWithParam<const char*> {
                                       : CameraModel::kOrthographic);
   }
 };
-INSTANTIATE_TEST_SUITE_P(Camera,
-                         OutlineGeometry,
+INSTANTIATE_TEST_SUITE_P(Camera, OutlineGeometry,
                          testing::Values("pinhole", "brown", "fisheye", "window", "orthographic"),
                          [](const auto& one) { return std::string(one.param); });
 
@@ -124,16 +123,12 @@ class OutlineEditorTest : public testing::Test {
     editor_.show();
     static_cast<void>(QTest::qWaitForWindowExposed(&editor_));
     editor_.show_image(grey_, {});
-    QObject::connect(
-        &editor_,
-        &OutlineEditor::ball_moved,
-        [this](const Eigen::Vector3d& before, const Eigen::Vector3d& after, int grip) {
-          undo_.push(new ValueChange<Eigen::Vector3d>([] { return QStringLiteral("move"); },
-                                                      before,
-                                                      after,
-                                                      [this](const Eigen::Vector3d& c) { put(c); },
-                                                      grip));
-        });
+    QObject::connect(&editor_, &OutlineEditor::ball_moved,
+                     [this](const Eigen::Vector3d& before, const Eigen::Vector3d& after, int grip) {
+                       undo_.push(new ValueChange<Eigen::Vector3d>(
+                           [] { return QStringLiteral("move"); }, before, after,
+                           [this](const Eigen::Vector3d& c) { put(c); }, grip));
+                     });
     put({5, -4, 52});
     undo_.clear();
   }
@@ -150,14 +145,8 @@ class OutlineEditorTest : public testing::Test {
     QTest::mouseRelease(&editor_, Qt::LeftButton, {}, to);
   }
   void wheel(QPointF at, int notches, Qt::KeyboardModifiers modifiers = {}) {
-    QWheelEvent event(at,
-                      editor_.mapToGlobal(at),
-                      {},
-                      {0, 120 * notches},
-                      Qt::NoButton,
-                      modifiers,
-                      Qt::NoScrollPhase,
-                      false);
+    QWheelEvent event(at, editor_.mapToGlobal(at), {}, {0, 120 * notches}, Qt::NoButton, modifiers,
+                      Qt::NoScrollPhase, false);
     QCoreApplication::sendEvent(&editor_, &event);
   }
 
@@ -248,11 +237,9 @@ TEST_F(OutlineEditorTest, ElsewhereTheHandMovesThePicture) {
 
 TEST_F(OutlineEditorTest, TheMagnifierNeverHidesWhatIsMoved) {
   EXPECT_FALSE(editor_.is_magnifying());
-  for (const Eigen::Vector3d& centre : {Eigen::Vector3d(0, 0, 52),
-                                        Eigen::Vector3d(-40, -20, 52),
-                                        Eigen::Vector3d(40, 20, 52),
-                                        Eigen::Vector3d(38, -20, 30),
-                                        Eigen::Vector3d(0, 0, 9)}) {
+  for (const Eigen::Vector3d& centre :
+       {Eigen::Vector3d(0, 0, 52), Eigen::Vector3d(-40, -20, 52), Eigen::Vector3d(40, 20, 52),
+        Eigen::Vector3d(38, -20, 30), Eigen::Vector3d(0, 0, 9)}) {
     put(centre);
     const QPoint hand = on_screen(place().centre);
     if (!editor_.rect().contains(hand)) continue;

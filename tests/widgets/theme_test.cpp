@@ -22,8 +22,7 @@ double contrast(const QColor& a, const QColor& b) {
 }
 
 class EveryTheme : public testing::TestWithParam<Theme> {};
-INSTANTIATE_TEST_SUITE_P(Theme,
-                         EveryTheme,
+INSTANTIATE_TEST_SUITE_P(Theme, EveryTheme,
                          testing::Values(Theme::kLight, Theme::kDark, Theme::kHighContrast));
 
 TEST_P(EveryTheme, TextCanBeRead) {

@@ -15,8 +15,8 @@ using testing::Not;
 
 std::string headline(const CalibrationEvidence& evidence, bool must_repeat = false) {
   const Verdict worth = window_verdict(evidence);
-  return headline_of(
-             worth.grade, expected_error_mm(worth).value_or(0.0), must_repeat, evidence.reference)
+  return headline_of(worth.grade, expected_error_mm(worth).value_or(0.0), must_repeat,
+                     evidence.reference)
       .text.toStdString();
 }
 

@@ -76,9 +76,8 @@ std::vector<std::size_t> AccuracyPlot::front() const {
   std::vector<std::size_t> front;
   for (std::size_t i = 0; i < points_.size(); ++i)
     if (points_[i].is_on_front) front.push_back(i);
-  std::sort(front.begin(), front.end(), [&](std::size_t a, std::size_t b) {
-    return points_[a].time_ms < points_[b].time_ms;
-  });
+  std::sort(front.begin(), front.end(),
+            [&](std::size_t a, std::size_t b) { return points_[a].time_ms < points_[b].time_ms; });
   return front;
 }
 
@@ -135,9 +134,7 @@ void AccuracyPlot::draw_others() {
       others->addData(point.time_ms, point.median_mm);
   }
   if (beyond > 0)
-    add_note(max_ms_,
-             0,
-             tr("%n slower or worse, outside this figure", "", beyond),
+    add_note(max_ms_, 0, tr("%n slower or worse, outside this figure", "", beyond),
              Qt::AlignRight | Qt::AlignBottom);
 }
 
@@ -169,14 +166,14 @@ void AccuracyPlot::draw_front() {
 
 void AccuracyPlot::draw_marks() {
   const QColor text = palette().color(QPalette::Text);
-  const auto mark =
-      [&](const QString& name, const QCPScatterStyle& style, const AccuracyPoint& point) {
-        auto* graph = chart().addGraph();
-        graph->setName(name);
-        graph->setLineStyle(QCPGraph::lsNone);
-        graph->setScatterStyle(style);
-        graph->addData(point.time_ms, point.median_mm);
-      };
+  const auto mark = [&](const QString& name, const QCPScatterStyle& style,
+                        const AccuracyPoint& point) {
+    auto* graph = chart().addGraph();
+    graph->setName(name);
+    graph->setLineStyle(QCPGraph::lsNone);
+    graph->setScatterStyle(style);
+    graph->addData(point.time_ms, point.median_mm);
+  };
   if (picked_)
     mark(tr("chosen"),
          QCPScatterStyle(QCPScatterStyle::ssDiamond, text, series_colour(1, palette()), 15),
@@ -184,8 +181,7 @@ void AccuracyPlot::draw_marks() {
   for (const AccuracyPoint& point : points_)
     if (point.is_in_use)
       mark(tr("in use now"),
-           QCPScatterStyle(QCPScatterStyle::ssCircle, QPen(text, 2), Qt::NoBrush, 13),
-           point);
+           QCPScatterStyle(QCPScatterStyle::ssCircle, QPen(text, 2), Qt::NoBrush, 13), point);
 }
 
 void AccuracyPlot::draw_budget() {
@@ -193,8 +189,7 @@ void AccuracyPlot::draw_budget() {
   const QColor colour = meaning_colour(Meaning::kBad, palette());
   const QString words = tr("%1 images per second").arg(QLocale().toString(frames_per_s_));
   if (budget_ms > max_ms_) {
-    add_note(max_ms_,
-             max_mm_,
+    add_note(max_ms_, max_mm_,
              tr("%1: at %2 ms, further right →").arg(words, QLocale().toString(budget_ms, 'f', 1)),
              Qt::AlignRight | Qt::AlignTop);
     return;
@@ -249,8 +244,7 @@ void AccuracyPlot::hover(QMouseEvent* event) {
   chart().setCursor(point ? Qt::PointingHandCursor : Qt::ArrowCursor);
   if (!point) return QToolTip::hideText();
   QToolTip::showText(event->globalPosition().toPoint(),
-                     points_[*point].words + QLatin1Char('\n') + points_[*point].hint,
-                     &chart());
+                     points_[*point].words + QLatin1Char('\n') + points_[*point].hint, &chart());
 }
 
 void AccuracyPlot::press(QMouseEvent* event) {
@@ -320,8 +314,7 @@ constexpr std::array kDistances{9.0, 22.0, 38.0, 58.0, 84.0, 116.0};  // px
 constexpr std::array<std::array<double, 2>, 8> kDirections{
     {{1, 0}, {1, -0.7}, {-1, -0.7}, {0.4, -1}, {-0.4, -1}, {-1, 0}, {1, 0.7}, {-1, 0.7}}};
 
-QRectF box_next_to(const LabelRequest& label,
-                   const std::array<double, 2>& direction,
+QRectF box_next_to(const LabelRequest& label, const std::array<double, 2>& direction,
                    double distance) {
   const QPointF middle(label.dot.x() + direction[0] * (distance + 0.5 * label.size.width()),
                        label.dot.y() + direction[1] * (distance + 0.5 * label.size.height()));
@@ -338,9 +331,8 @@ std::vector<std::optional<QRectF>> layout_labels(const QRectF& room,
   const auto is_free = [&](const QRectF& box) {
     const QRectF wide = box.adjusted(-kApart, -kApart, kApart, kApart);
     return room.contains(box) &&
-           std::none_of(occupied.begin(), occupied.end(), [&](const QRectF& other) {
-             return wide.intersects(other);
-           });
+           std::none_of(occupied.begin(), occupied.end(),
+                        [&](const QRectF& other) { return wide.intersects(other); });
   };
   for (const LabelRequest& label : labels) {
     std::optional<QRectF> found;
@@ -468,12 +460,9 @@ AccuracyTable::AccuracyTable(QWidget* parent)
   say([this] { name_parts(); });
   sort_by(AccuracyModel::kTime);
   connect(sort_, &QComboBox::activated, this, &AccuracyTable::sort_by);
-  connect(view_->horizontalHeader(), &QHeaderView::sortIndicatorChanged, this, [this](int at) {
-    sort_->setCurrentIndex(at);
-  });
-  connect(view_->selectionModel(),
-          &QItemSelectionModel::currentRowChanged,
-          this,
+  connect(view_->horizontalHeader(), &QHeaderView::sortIndicatorChanged, this,
+          [this](int at) { sort_->setCurrentIndex(at); });
+  connect(view_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
           [this](const QModelIndex& now) {
             if (!is_picking_ && now.isValid())
               Q_EMIT point_picked(static_cast<std::size_t>(sorted_->mapToSource(now).row()));

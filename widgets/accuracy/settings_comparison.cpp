@@ -15,9 +15,7 @@ namespace {
 constexpr double kDepthTop_mm = 1.0;
 constexpr double kLeastDifferenceTop_mm = 0.01;
 
-QString micrometres(double mm) {
-  return QLocale().toString(1000 * mm, 'f', 1);
-}
+QString micrometres(double mm) { return QLocale().toString(1000 * mm, 'f', 1); }
 
 /// A round number of millimetres that the differences fill.
 double top_of(double p95_mm) {
@@ -81,8 +79,7 @@ bool SettingsComparison::is_same() const {
   return key_of(now_.settings) == key_of(other_.settings);
 }
 
-void SettingsComparison::compare(const FingerPtr& finger,
-                                 const Settings& now,
+void SettingsComparison::compare(const FingerPtr& finger, const Settings& now,
                                  const Settings& other) {
   const bool is_new = finger != finger_ || key_of(now.settings) != key_of(now_.settings) ||
                       key_of(other.settings) != key_of(other_.settings);

@@ -18,8 +18,8 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Files that a calibration writes, besides the presses and finger.yaml.
-constexpr const char* kWritten[] = {
-    CalibrationInputs::kFileName, kReportJson, kReportHtml, kReportPdf};
+constexpr const char* kWritten[] = {CalibrationInputs::kFileName, kReportJson, kReportHtml,
+                                    kReportPdf};
 
 std::map<std::string, std::optional<std::string>> read_written(const fs::path& folder) {
   std::map<std::string, std::optional<std::string>> files;
@@ -85,10 +85,8 @@ class CalibrationRun::Undo : public UndoStep {
   Outcome outcome_before_, outcome_after_;
 };
 
-CalibrationRun::CalibrationRun(PressCollection& collection,
-                               QUndoStack& undo,
-                               std::string program_version,
-                               QObject* parent)
+CalibrationRun::CalibrationRun(PressCollection& collection, QUndoStack& undo,
+                               std::string program_version, QObject* parent)
     : QObject(parent), collection_(collection), undo_(undo), version_(std::move(program_version)) {
   connect(&work_, &BackgroundWork::progressed, this, &CalibrationRun::changed);
   connect(&work_, &BackgroundWork::finished, this, &CalibrationRun::changed);
@@ -153,8 +151,8 @@ void CalibrationRun::recall_residuals_once() {
     return;
   lacks_residuals_ = false;
   recall_problem_.reset();
-  recalling_.start([this, folder = collection_.folder(), bare = result_, disk = collection_.disk()](
-                       const Job& job) {
+  recalling_.start([this, folder = collection_.folder(), bare = result_,
+                    disk = collection_.disk()](const Job& job) {
     disk->wait();
     auto complete =
         std::make_shared<Result<FingerCalibration>>(recall_residuals(folder, *bare, job));
@@ -174,13 +172,11 @@ CalibrationState CalibrationRun::state() const {
   if (worth_ && worth_->must_repeat) return CalibrationState::kStale;
   if (!collection_.is_ready()) return CalibrationState::kCurrent;  // nothing could be changed yet
   const auto& presses = collection_.presses();
-  const bool same_presses = std::equal(presses.begin(),
-                                       presses.end(),
-                                       inputs_->presses.begin(),
-                                       inputs_->presses.end(),
-                                       [](const CollectedPress& press, const StoredPress& stored) {
-                                         return press.name == stored.name;
-                                       });
+  const bool same_presses =
+      std::equal(presses.begin(), presses.end(), inputs_->presses.begin(), inputs_->presses.end(),
+                 [](const CollectedPress& press, const StoredPress& stored) {
+                   return press.name == stored.name;
+                 });
   return same_presses && input_for(collection_.press_set()).press_set == inputs_->press_set
              ? CalibrationState::kCurrent
              : CalibrationState::kStale;
@@ -238,8 +234,8 @@ void CalibrationRun::start() {
   input.compare_methods = true;
   // Presses without a frame in memory are read from their files.
   const auto& presses = collection_.presses();
-  if (std::all_of(
-          presses.begin(), presses.end(), [](const CollectedPress& one) { return one.frame; }))
+  if (std::all_of(presses.begin(), presses.end(),
+                  [](const CollectedPress& one) { return one.frame; }))
     for (const CollectedPress& press : presses) input.presses.frames.push_back(press.frame);
   rounds_ = std::make_shared<SharedRounds>();
   input.on_round = [shared = rounds_](const Round& round) {
@@ -281,9 +277,7 @@ void CalibrationRun::start() {
   Q_EMIT changed();
 }
 
-void CalibrationRun::stop() {
-  work_.stop();
-}
+void CalibrationRun::stop() { work_.stop(); }
 
 std::vector<Round> CalibrationRun::rounds() const {
   if (!rounds_) return {};
@@ -310,8 +304,7 @@ fs::path CalibrationRun::report() const {
   return has_report_ && !is_writing_report() ? collection_.folder() / kReportHtml : fs::path();
 }
 
-PressForecast::PressForecast(const PressCollection& collection,
-                             const CalibrationRun& run,
+PressForecast::PressForecast(const PressCollection& collection, const CalibrationRun& run,
                              QObject* parent)
     : QObject(parent), collection_(collection), run_(run) {
   delay_.setSingleShot(true);
@@ -343,10 +336,10 @@ bool PressForecast::is_needed() const {
   if (!collection_.is_ready() || collection_.analyser() == nullptr || run_.is_running() ||
       run_.state() == CalibrationState::kCurrent)
     return false;
-  return std::any_of(
-      collection_.presses().begin(), collection_.presses().end(), [this](const auto& press) {
-        return collection_.is_usable(press) && collection_.has_ball(press);
-      });
+  return std::any_of(collection_.presses().begin(), collection_.presses().end(),
+                     [this](const auto& press) {
+                       return collection_.is_usable(press) && collection_.has_ball(press);
+                     });
 }
 
 void PressForecast::follow() {
@@ -369,9 +362,7 @@ void PressForecast::follow() {
 void PressForecast::begin() {
   if (work_.is_running() || !is_needed() || collection_.is_analysing()) return;
   requested_ = present();
-  work_.start([this,
-               requested = requested_,
-               inputs = run_.next_inputs(),
+  work_.start([this, requested = requested_, inputs = run_.next_inputs(),
                finger = collection_.analyser()->finger()](const Job& job) {
     std::vector<ReferencedPress> presses;
     for (const auto& press : requested.measured) presses.push_back(*press);

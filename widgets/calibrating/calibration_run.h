@@ -25,9 +25,7 @@ enum class CalibrationState {
 class CalibrationRun : public QObject {
   Q_OBJECT
  public:
-  CalibrationRun(PressCollection& collection,
-                 QUndoStack& undo,
-                 std::string program_version,
+  CalibrationRun(PressCollection& collection, QUndoStack& undo, std::string program_version,
                  QObject* parent = nullptr);
 
   /// Reloads the stored calibration of the open finger. Call it when the finger's folder has
@@ -113,8 +111,7 @@ class PressForecast : public QObject {
   /// Time without changes before a forecast starts.
   static constexpr int kDelay_ms = 300;
 
-  PressForecast(const PressCollection& collection,
-                const CalibrationRun& run,
+  PressForecast(const PressCollection& collection, const CalibrationRun& run,
                 QObject* parent = nullptr);
 
   /// Runs only while a watching page is visible; a result is retained.

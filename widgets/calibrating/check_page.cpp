@@ -45,10 +45,8 @@ std::optional<std::string> content_of(const fs::path& file) {
   return content ? std::optional(std::move(*content)) : std::nullopt;
 }
 
-Checked check_frames(const fs::path& folder,
-                     const std::vector<FramePtr>& frames,
-                     const std::string& version,
-                     const Job& job) {
+Checked check_frames(const fs::path& folder, const std::vector<FramePtr>& frames,
+                     const std::string& version, const Job& job) {
   Checked checked;
   const auto fail = [&checked](const Error& error) {
     checked.problem = error;
@@ -71,12 +69,8 @@ Checked check_frames(const fs::path& folder,
 
 }  // namespace
 
-CheckPage::CheckPage(LiveSession& session,
-                     PressCollection& collection,
-                     const CalibrationRun& run,
-                     QUndoStack& undo,
-                     std::string program_version,
-                     QWidget* parent)
+CheckPage::CheckPage(LiveSession& session, PressCollection& collection, const CalibrationRun& run,
+                     QUndoStack& undo, std::string program_version, QWidget* parent)
     : StepPage(parent),
       session_(session),
       collection_(collection),
@@ -207,9 +201,7 @@ void CheckPage::check() {
       taken_.clear();
       last_ = checked->check;
       undo_.push(new ValueChange<std::optional<std::string>>(
-          [] { return tr("check"); },
-          checked->before,
-          checked->after,
+          [] { return tr("check"); }, checked->before, checked->after,
           [this, folder](const std::optional<std::string>& content) {
             if (folder == folder_) write_history(content);
           }));
@@ -259,11 +251,9 @@ QString CheckPage::verdict_words(const CheckEntry& check) const {
   QStringList lines;
   if (const QString stale = recalibration_reason(run_); !stale.isEmpty()) lines << stale;
   if (!last_ || last_->verdict != check.verdict) {
-    lines << tr("Last checked on %1 with %n press(es): error %2 mm (limit %3 mm).",
-                nullptr,
+    lines << tr("Last checked on %1 with %n press(es): error %2 mm (limit %3 mm).", nullptr,
                 check.presses)
-                 .arg(date_text(check.time),
-                      local_mm(check.error_mm, 3),
+                 .arg(date_text(check.time), local_mm(check.error_mm, 3),
                       local_mm(check.drifting_above_mm, 3));
     if (verdict_now(check) == CheckVerdict::kTooFew)
       lines
@@ -291,10 +281,8 @@ void CheckPage::show_verdict() {
   const bool is_stale = run_.state() == CalibrationState::kStale;
   const Meaning meaning =
       is_stale ? std::max(meaning_of(word), Meaning::kDoubtful) : meaning_of(word);
-  symbol_->setPixmap(symbol(meaning_symbol(meaning),
-                            meaning_colour(meaning, palette()),
-                            kCheckSymbol,
-                            devicePixelRatioF()));
+  symbol_->setPixmap(symbol(meaning_symbol(meaning), meaning_colour(meaning, palette()),
+                            kCheckSymbol, devicePixelRatioF()));
   verdict_->setText(is_stale ? changed_text() : check_text(word));
   sentence_->setText(verdict_words(*check));
 }
@@ -380,9 +368,7 @@ void CheckPage::hideEvent(QHideEvent* event) {
 
 void CheckPage::set_taken(const StepWords& what, std::vector<FramePtr> frames) {
   undo_.push(new ValueChange<std::vector<FramePtr>>(
-      what,
-      taken_,
-      std::move(frames),
+      what, taken_, std::move(frames),
       [this, folder = folder_](const std::vector<FramePtr>& restored) {
         if (folder != folder_) return;
         taken_ = restored;

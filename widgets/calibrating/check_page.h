@@ -21,12 +21,8 @@ namespace alltact {
 class CheckPage : public StepPage {
   Q_OBJECT
  public:
-  CheckPage(LiveSession& session,
-            PressCollection& collection,
-            const CalibrationRun& run,
-            QUndoStack& undo,
-            std::string program_version,
-            QWidget* parent = nullptr);
+  CheckPage(LiveSession& session, PressCollection& collection, const CalibrationRun& run,
+            QUndoStack& undo, std::string program_version, QWidget* parent = nullptr);
 
   [[nodiscard]] QString title() const override { return tr("Check"); }
   [[nodiscard]] StepState state() const override;

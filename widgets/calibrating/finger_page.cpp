@@ -151,8 +151,7 @@ void FingerPage::change_sizes() {
   if (!width || !layer) return;
   const Sizes requested(face.kind == FaceKind::kFinRay ? *width : face.width_mm, *layer);
   undo_.push(new ValueChange<Sizes>(
-      [] { return tr("change the finger's sizes"); },
-      Sizes(face.width_mm, face.layer_mm),
+      [] { return tr("change the finger's sizes"); }, Sizes(face.width_mm, face.layer_mm),
       requested,
       [this, folder = finger.folder](const Sizes& sizes) { write_sizes(folder, sizes); }));
 }

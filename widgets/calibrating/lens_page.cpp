@@ -33,9 +33,7 @@ constexpr int kGridLines = 12;     // on each side
 constexpr int kGridPoints = 96;
 
 /// A world line at z = 1, interrupted where it is outside the image.
-QPainterPath seen_line(const Camera& camera,
-                       double fixed,
-                       bool is_upright,
+QPainterPath seen_line(const Camera& camera, double fixed, bool is_upright,
                        const ImageTransform& t) {
   QPainterPath path;
   bool is_drawing = false;
@@ -165,9 +163,7 @@ QString camera_text(const CameraParameters& camera, const LensRecord& record) {
 
 }  // namespace
 
-LensPage::LensPage(LiveSession& session,
-                   LensMeasurer measurer,
-                   std::filesystem::path work_folder,
+LensPage::LensPage(LiveSession& session, LensMeasurer measurer, std::filesystem::path work_folder,
                    QWidget* parent)
     : StepPage(parent),
       session_(session),
@@ -319,9 +315,7 @@ QString LensPage::missing() const {
   return tr("The lens is not known yet: choose a camera file, or measure the lens.");
 }
 
-QWidget* LensPage::main_control() const {
-  return can_take() ? take_ : choose_file_;
-}
+QWidget* LensPage::main_control() const { return can_take() ? take_ : choose_file_; }
 
 void LensPage::show_status() {
   const FingerStatus& finger = session_.status().finger;
@@ -373,9 +367,8 @@ void LensPage::choose_file() {
       new QFileDialog(this, tr("Camera file"), file_->text(), tr("Camera (*.yaml *.yml)"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFile);
-  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) {
-    take_file(file.toStdString());
-  });
+  connect(dialog, &QFileDialog::fileSelected, this,
+          [this](const QString& file) { take_file(file.toStdString()); });
   dialog->show();
 }
 
@@ -442,8 +435,7 @@ void LensPage::show_views(const std::vector<LensViewReport>& views) {
     auto* item = new QListWidgetItem(
         view.rejection.empty()
             ? tr("%1: error %2 px, tilted by %3°")
-                  .arg(name,
-                       locale.toString(view.error_px, 'f', 2),
+                  .arg(name, locale.toString(view.error_px, 'f', 2),
                        locale.toString(view.tilt_deg, 'f', 0))
             : tr("%1: not used, %2").arg(name, in_window_language(view.rejection)));
     item->setData(Qt::UserRole, name);
@@ -573,20 +565,17 @@ void LensForm::name_parts() {
 }
 
 void LensForm::show_port() {
-  for (QWidget* part : {static_cast<QWidget*>(gap_label_),
-                        static_cast<QWidget*>(gap_),
-                        static_cast<QWidget*>(plate_label_),
-                        static_cast<QWidget*>(plate_),
-                        static_cast<QWidget*>(plate_index_label_),
-                        static_cast<QWidget*>(plate_index_),
-                        static_cast<QWidget*>(medium_index_label_),
-                        static_cast<QWidget*>(medium_index_)})
+  for (QWidget* part :
+       {static_cast<QWidget*>(gap_label_), static_cast<QWidget*>(gap_),
+        static_cast<QWidget*>(plate_label_), static_cast<QWidget*>(plate_),
+        static_cast<QWidget*>(plate_index_label_), static_cast<QWidget*>(plate_index_),
+        static_cast<QWidget*>(medium_index_label_), static_cast<QWidget*>(medium_index_)})
     part->setVisible(has_port_->isChecked());
 }
 
 Board LensForm::board() const {
-  constexpr BoardPattern kPatterns[] = {
-      BoardPattern::kChessboard, BoardPattern::kCharuco, BoardPattern::kDots};
+  constexpr BoardPattern kPatterns[] = {BoardPattern::kChessboard, BoardPattern::kCharuco,
+                                        BoardPattern::kDots};
   Board board;
   board.pattern = kPatterns[pattern_->currentIndex()];
   board.columns = now(columns_);
@@ -687,8 +676,7 @@ void LensPage::add_board(const BoardAnalysis& detection) {
   }
   disk_->add([folder = boards_folder_, frame = collector_->frames().back()]() -> Status {
     if (const Status made = make_folder(folder); !made) return made;
-    return write_image(folder / (frame->name + ".png"),
-                       frame->grey,
+    return write_image(folder / (frame->name + ".png"), frame->grey,
                        frame->controls ? *frame->controls : std::string());
   });
   live_->freeze(false);
@@ -736,11 +724,8 @@ void LensPage::fit_boards() {
     show_views(bare);
     return show_boards();
   }
-  fitting_.start([this,
-                  views,
-                  size = collector_->frames().front()->grey.size(),
-                  settings = form_->settings(),
-                  collector = collector_](const Job& job) {
+  fitting_.start([this, views, size = collector_->frames().front()->grey.size(),
+                  settings = form_->settings(), collector = collector_](const Job& job) {
     auto made =
         std::make_shared<Result<LensCalibration>>(calibrate_lens(views, size, settings, job));
     return std::function<void()>([this, made, collector] {

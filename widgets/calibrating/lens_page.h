@@ -79,9 +79,7 @@ class LensPage : public StepPage {
   Q_OBJECT
  public:
   /// work_folder: for unnamed camera files and for captured board images.
-  LensPage(LiveSession& session,
-           LensMeasurer measurer,
-           std::filesystem::path work_folder,
+  LensPage(LiveSession& session, LensMeasurer measurer, std::filesystem::path work_folder,
            QWidget* parent = nullptr);
 
   [[nodiscard]] QString title() const override { return tr("Lens"); }

@@ -12,9 +12,7 @@
 
 namespace alltact {
 
-MappingPage::MappingPage(PressCollection& collection,
-                         CalibrationRun& run,
-                         PressForecast& forecast,
+MappingPage::MappingPage(PressCollection& collection, CalibrationRun& run, PressForecast& forecast,
                          QWidget* parent)
     : StepPage(parent),
       collection_(collection),
@@ -109,12 +107,10 @@ void MappingPage::connect_chosen() {
       choose();
     });
   }
-  connect(show_press_, &QPushButton::clicked, this, [this] {
-    Q_EMIT press_requested(errors_->chosen());
-  });
-  connect(leave_out_, &QPushButton::clicked, this, [this] {
-    collection_.toggle_left_out(errors_->chosen());
-  });
+  connect(show_press_, &QPushButton::clicked, this,
+          [this] { Q_EMIT press_requested(errors_->chosen()); });
+  connect(leave_out_, &QPushButton::clicked, this,
+          [this] { collection_.toggle_left_out(errors_->chosen()); });
 }
 
 void MappingPage::choose() {

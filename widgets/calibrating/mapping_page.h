@@ -19,9 +19,7 @@ namespace alltact {
 class MappingPage : public StepPage {
   Q_OBJECT
  public:
-  MappingPage(PressCollection& collection,
-              CalibrationRun& run,
-              PressForecast& forecast,
+  MappingPage(PressCollection& collection, CalibrationRun& run, PressForecast& forecast,
               QWidget* parent = nullptr);
 
   [[nodiscard]] QString title() const override { return tr("Mapping"); }

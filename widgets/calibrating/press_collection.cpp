@@ -25,8 +25,8 @@ fs::path file_of(const fs::path& folder, const std::string& name) {
 
 Status write_press(const fs::path& folder, const Frame& frame) {
   if (const Status made = make_folder(folder / kPressFolder); !made) return made;
-  return write_image(
-      file_of(folder, frame.name), frame.grey, frame.controls ? *frame.controls : std::string());
+  return write_image(file_of(folder, frame.name), frame.grey,
+                     frame.controls ? *frame.controls : std::string());
 }
 
 Result<FramePtr> read_press(const fs::path& file) {
@@ -42,9 +42,7 @@ FramePtr named(const FramePtr& frame, const std::string& name) {
   return copy;
 }
 
-bool before(const CollectedPress& a, const CollectedPress& b) {
-  return a.name < b.name;
-}
+bool before(const CollectedPress& a, const CollectedPress& b) { return a.name < b.name; }
 
 /// Radius of the ball to search for; 0: unknown, or no ball.
 double sought_radius_mm(const PressSet& press_set, const std::string& press) {
@@ -169,16 +167,11 @@ void PressCollection::load_analyser() {
 void PressCollection::analyse_next() {
   Q_EMIT changed();
   if (analysing_.is_running() || !analyser_) return;
-  const auto next = std::find_if(presses_.begin(), presses_.end(), [](const CollectedPress& press) {
-    return !press.is_analysed;
-  });
+  const auto next = std::find_if(presses_.begin(), presses_.end(),
+                                 [](const CollectedPress& press) { return !press.is_analysed; });
   if (next == presses_.end()) return;
-  analysing_.start([this,
-                    opened = opened_,
-                    name = next->name,
-                    given = next->frame,
-                    file = file_of(folder_, next->name),
-                    analyser = analyser_,
+  analysing_.start([this, opened = opened_, name = next->name, given = next->frame,
+                    file = file_of(folder_, next->name), analyser = analyser_,
                     radius = sought_radius_mm(press_set_, next->name)](const Job&) {
     FramePtr frame = given;
     PressAnalysis analysis;
@@ -192,8 +185,7 @@ void PressCollection::analyse_next() {
     if (frame) analysis = (*analyser)(frame, radius);
     return std::function<void()>([this, opened, name, frame, analysis, radius] {
       if (opened != opened_) return;
-      const auto press = std::find_if(presses_.begin(),
-                                      presses_.end(),
+      const auto press = std::find_if(presses_.begin(), presses_.end(),
                                       [&](const CollectedPress& one) { return one.name == name; });
       if (press == presses_.end()) return;
       press->frame = frame;
@@ -240,9 +232,8 @@ bool PressCollection::is_usable(const CollectedPress& press) const {
 
 int PressCollection::usable_count() const {
   return static_cast<int>(
-      std::count_if(presses_.begin(), presses_.end(), [&](const CollectedPress& press) {
-        return is_usable(press);
-      }));
+      std::count_if(presses_.begin(), presses_.end(),
+                    [&](const CollectedPress& press) { return is_usable(press); }));
 }
 
 void PressCollection::set_press_set(const PressSet& press_set) {
@@ -316,8 +307,8 @@ void PressCollection::erase(const std::vector<FramePtr>& frames) {
       std::error_code failed;
       fs::remove(file, failed);
       if (!failed) return {};
-      return Error{
-          en::say("the press could not be removed: {}", failed.message()), file.string(), ""};
+      return Error{en::say("the press could not be removed: {}", failed.message()), file.string(),
+                   ""};
     });
   }
   Q_EMIT changed();
@@ -361,8 +352,7 @@ void PressCollection::add_next() {
             [count = static_cast<int>(frames->size())] {
               return tr("add %n image(s)", nullptr, count);
             },
-            std::move(*frames),
-            true));
+            std::move(*frames), true));
       if (!twice.isEmpty())
         Q_EMIT refused({Meaning::kDoubtful,
                         tr("Presses with these names exist already: %1.").arg(listed(twice)),
@@ -429,9 +419,7 @@ enum MergeId { kRadius = 5'000'000, kOperator, kGrips = 5'100'000 };
 void PressCollection::change(const StepWords& words, PressSet press_set, int merge_id) {
   if (press_set == press_set_ || folder_.empty()) return;
   undo_.push(new ValueChange<PressSet>(
-      words,
-      press_set_,
-      std::move(press_set),
+      words, press_set_, std::move(press_set),
       [this, folder = folder_](const PressSet& value) {
         if (folder == folder_) set_press_set(value);
       },
@@ -447,10 +435,8 @@ void PressCollection::change_radii(const StepWords& words, PressSet press_set, i
   change(words, std::move(press_set), merge_id);
 }
 
-void PressCollection::change_note(const StepWords& words,
-                                  const std::string& name,
-                                  const std::function<void(PressNote&)>& change_it,
-                                  int merge_id) {
+void PressCollection::change_note(const StepWords& words, const std::string& name,
+                                  const std::function<void(PressNote&)>& change_it, int merge_id) {
   PressSet press_set = press_set_;
   PressNote note = press_set.of(name);
   change_it(note);
@@ -472,21 +458,18 @@ void PressCollection::set_radius_of(const std::string& name, double radius_mm) {
   if (radius_mm > 0 && radius_mm != press_set.ball_radius_mm) note.ball_radius_mm = radius_mm;
   press_set.say(name, std::move(note));
   change_radii([name] { return tr("change the ball's radius of %1").arg(as_text(name)); },
-               std::move(press_set),
-               -1);
+               std::move(press_set), -1);
 }
 
 void PressCollection::set_depth_of(const std::string& name, const GivenDepth& depth) {
   change_note(
-      [name] { return tr("change the measured depth of %1").arg(as_text(name)); },
-      name,
+      [name] { return tr("change the measured depth of %1").arg(as_text(name)); }, name,
       [&](PressNote& note) { note.depth = depth.mm > 0 ? std::optional(depth) : std::nullopt; });
 }
 
 void PressCollection::set_step_of(const std::string& name, double step_mm) {
   change_note(
-      [name] { return tr("change the step of %1").arg(as_text(name)); },
-      name,
+      [name] { return tr("change the step of %1").arg(as_text(name)); }, name,
       [&](PressNote& note) { note.step_mm = step_mm > 0 ? std::optional(step_mm) : std::nullopt; });
 }
 
@@ -496,30 +479,24 @@ void PressCollection::set_operator(const std::string& name) {
   change([] { return tr("change the operator"); }, std::move(press_set), kOperator);
 }
 
-void PressCollection::set_ball(const std::string& name,
-                               const Eigen::Vector3d& centre_mm,
+void PressCollection::set_ball(const std::string& name, const Eigen::Vector3d& centre_mm,
                                int grip) {
-  change_note([name] { return tr("move the outline of %1").arg(as_text(name)); },
-              name,
-              [&](PressNote& note) { note.ball_mm = centre_mm; },
-              kGrips + grip);
+  change_note([name] { return tr("move the outline of %1").arg(as_text(name)); }, name,
+              [&](PressNote& note) { note.ball_mm = centre_mm; }, kGrips + grip);
 }
 
 void PressCollection::find_ball_again(const std::string& name) {
-  change_note([name] { return tr("find the ball of %1").arg(as_text(name)); },
-              name,
+  change_note([name] { return tr("find the ball of %1").arg(as_text(name)); }, name,
               [](PressNote& note) { note.ball_mm.reset(); });
 }
 
 void PressCollection::leave_out(const std::string& name, const std::string& because) {
-  change_note([name] { return tr("leave out %1").arg(as_text(name)); },
-              name,
+  change_note([name] { return tr("leave out %1").arg(as_text(name)); }, name,
               [&](PressNote& note) { note.excluded = because; });
 }
 
 void PressCollection::use_again(const std::string& name) {
-  change_note([name] { return tr("put back %1").arg(as_text(name)); },
-              name,
+  change_note([name] { return tr("put back %1").arg(as_text(name)); }, name,
               [](PressNote& note) { note.excluded.reset(); });
 }
 

@@ -139,10 +139,8 @@ class PressCollection : public QObject {
   void change(const StepWords& words, PressSet press_set, int merge_id = -1);
   void change_radii(const StepWords& words, PressSet press_set, int merge_id);
   /// Changes one press' note through `change`.
-  void change_note(const StepWords& words,
-                   const std::string& name,
-                   const std::function<void(PressNote&)>& change,
-                   int merge_id = -1);
+  void change_note(const StepWords& words, const std::string& name,
+                   const std::function<void(PressNote&)>& change, int merge_id = -1);
   void set_press_set(const PressSet& press_set);
   void insert(const std::vector<FramePtr>& frames);
   void erase(const std::vector<FramePtr>& frames);

@@ -66,8 +66,7 @@ QString words_of(const PressGuidance& frame) {
 
 /// Approximate depth along the normal: measured for a calibrated finger, else from the radius of
 /// the dark disc.
-std::optional<double> depth_now(const FrameResult& result,
-                                const std::optional<DarkPatch>& contact,
+std::optional<double> depth_now(const FrameResult& result, const std::optional<DarkPatch>& contact,
                                 double radius_mm) {
   if (!contact) return std::nullopt;
   if (result.depth) {
@@ -79,10 +78,8 @@ std::optional<double> depth_now(const FrameResult& result,
 }
 
 /// The rim of a ball pressed in there, as projected into the image.
-std::vector<Eigen::Vector2d> cap_outline(const FaceShape& shape,
-                                         const Eigen::Vector2d& target_px,
-                                         double depth_mm,
-                                         double radius_mm) {
+std::vector<Eigen::Vector2d> cap_outline(const FaceShape& shape, const Eigen::Vector2d& target_px,
+                                         double depth_mm, double radius_mm) {
   const auto local = shape.at(target_px.x(), target_px.y());
   if (!local || !(radius_mm > depth_mm)) return {};
   const Face& face = shape.face();
@@ -153,8 +150,7 @@ Overlay hold_overlay(const PressGuidance& frame) {
 }  // namespace
 
 std::optional<PressTarget> target_press(const PressCollection& collection,
-                                        const PressForecast& forecast,
-                                        const FaceShape& shape) {
+                                        const PressForecast& forecast, const FaceShape& shape) {
   const auto first = next_press(first_presses(shape), positions_of(collection));
   const FingerCalibration* known = forecast.baseline();
   if (const auto& newest = forecast.result()) known = newest.get();
@@ -167,10 +163,8 @@ std::optional<PressTarget> target_press(const PressCollection& collection,
   return PressTarget{{advice.along_mm, advice.across_mm}, advice.depth_mm};
 }
 
-PressGuidance guidance_of(const FrameResult& result,
-                          const PressCollection& collection,
-                          const PressForecast& forecast,
-                          double hold_fraction) {
+PressGuidance guidance_of(const FrameResult& result, const PressCollection& collection,
+                          const PressForecast& forecast, double hold_fraction) {
   PressGuidance frame;
   if (!result.shape) return frame;
   const double radius_mm = collection.press_set().ball_radius_mm;

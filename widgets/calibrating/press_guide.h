@@ -33,8 +33,7 @@ struct PressGuidance {
 /// The last argument: see PressGuidance.
 [[nodiscard]] PressGuidance guidance_of(const FrameResult& result,
                                         const PressCollection& collection,
-                                        const PressForecast& forecast,
-                                        double hold_fraction);
+                                        const PressForecast& forecast, double hold_fraction);
 
 /// One sentence for the image and for screen readers: "Press here, 0.8 mm deep, now 0.5 mm:
 /// deeper."

@@ -57,8 +57,7 @@ const StepFit* fitted_step(const CalibrationRun& run, const std::string& press) 
   return nullptr;
 }
 
-QString press_state_text(const CollectedPress& press,
-                         const PressCollection& collection,
+QString press_state_text(const CollectedPress& press, const PressCollection& collection,
                          const CalibrationRun& run) {
   const PressNote& note = collection.press_set().of(press.name);
   if (!collection.is_saved(press.name)) return PressModel::tr("not saved to disk");
@@ -77,8 +76,7 @@ QString press_state_text(const CollectedPress& press,
   return PressModel::tr("the ball's radius is missing");
 }
 
-std::optional<Meaning> press_meaning(const CollectedPress& press,
-                                     const PressCollection& collection,
+std::optional<Meaning> press_meaning(const CollectedPress& press, const PressCollection& collection,
                                      const CalibrationRun& run) {
   const PressNote& note = collection.press_set().of(press.name);
   if (!collection.is_saved(press.name)) return Meaning::kBad;
@@ -90,8 +88,7 @@ std::optional<Meaning> press_meaning(const CollectedPress& press,
   return std::nullopt;
 }
 
-PressModel::PressModel(const PressCollection& collection,
-                       const CalibrationRun& run,
+PressModel::PressModel(const PressCollection& collection, const CalibrationRun& run,
                        QObject* parent)
     : QAbstractListModel(parent), collection_(collection), run_(run) {
   connect(&collection_, &PressCollection::changed, this, &PressModel::follow);
@@ -107,9 +104,8 @@ void PressModel::follow() {
         collection_.press_set().of(name).excluded ? nullptr : fitted_ball(run_, name);
     return ball == nullptr ? 0.0 : press_error_mm(*ball).value_or(0.0);
   };
-  std::stable_sort(names.begin(), names.end(), [&](const auto& a, const auto& b) {
-    return error(a) > error(b);
-  });
+  std::stable_sort(names.begin(), names.end(),
+                   [&](const auto& a, const auto& b) { return error(a) > error(b); });
   if (names != names_) {
     beginResetModel();
     names_ = std::move(names);
@@ -145,8 +141,8 @@ QVariant PressModel::data(const QModelIndex& index, int role) const {
                  ? in_window_language(en::say("{}.", press->analysis.problem->message()))
                  : QString();
     case Qt::DecorationRole: {
-      const QPixmap thumbnail = thumbnails_.of(
-          *press, known_ball(*press, collection_, run_), press_meaning(*press, collection_, run_));
+      const QPixmap thumbnail = thumbnails_.of(*press, known_ball(*press, collection_, run_),
+                                               press_meaning(*press, collection_, run_));
       return thumbnail.isNull() ? QVariant() : thumbnail;
     }
     case Qt::FontRole: {
@@ -195,8 +191,7 @@ QRectF cut_around(const QPolygonF& outline, const cv::Mat& grey, const QSize& si
   if (outline.isEmpty() || !full.intersects(outline.boundingRect())) return full;
   const QRectF box = outline.boundingRect();
   const double height = std::clamp(kAroundBall * std::max(box.height(), box.width() / shape),
-                                   kMinCut_px,
-                                   std::max(kMinCut_px, full.height()));
+                                   kMinCut_px, std::max(kMinCut_px, full.height()));
   QRectF cut(0, 0, shape * height, height);
   cut.moveCenter(box.center());
   return cut;
@@ -204,15 +199,14 @@ QRectF cut_around(const QPolygonF& outline, const cv::Mat& grey, const QSize& si
 
 }  // namespace
 
-std::optional<ShownBall> known_ball(const CollectedPress& press,
-                                    const PressCollection& collection,
+std::optional<ShownBall> known_ball(const CollectedPress& press, const PressCollection& collection,
                                     const CalibrationRun& run) {
   const PressNote& note = collection.press_set().of(press.name);
   const double radius = collection.press_set().radius_of(press.name);
   if (collection.analyser() == nullptr || !(radius > 0) || note.step_mm) return std::nullopt;
   const auto shown = [&](const Eigen::Vector3d& centre, bool is_by_hand) {
-    ShownBall ball{
-        collection.analyser()->camera(), radius, centre, is_by_hand, Eigen::Vector3d::UnitZ()};
+    ShownBall ball{collection.analyser()->camera(), radius, centre, is_by_hand,
+                   Eigen::Vector3d::UnitZ()};
     const Face& face = collection.analyser()->finger().face;
     const auto contact = press.analysis.shape
                              ? ball_on_face(*press.analysis.shape, face, centre, radius)
@@ -243,11 +237,8 @@ QString refusal_word(const Error& problem) {
   return PressModel::tr("not usable");
 }
 
-QImage press_thumbnail(const cv::Mat& grey,
-                       const std::optional<ShownBall>& ball,
-                       const QSize& size,
-                       double ratio,
-                       std::optional<Meaning> meaning) {
+QImage press_thumbnail(const cv::Mat& grey, const std::optional<ShownBall>& ball, const QSize& size,
+                       double ratio, std::optional<Meaning> meaning) {
   QImage thumbnail(size * ratio, QImage::Format_RGB32);
   thumbnail.setDevicePixelRatio(ratio);
   thumbnail.fill(Qt::black);
@@ -269,9 +260,8 @@ QImage press_thumbnail(const cv::Mat& grey,
   // Scaling by the painter would alias.
   const QRectF target = to_thumbnail.mapRect(QRectF(inside));
   painter.drawImage(
-      target,
-      image.copy(inside).scaled(
-          (target.size() * ratio).toSize(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation));
+      target, image.copy(inside).scaled((target.size() * ratio).toSize(), Qt::IgnoreAspectRatio,
+                                        Qt::SmoothTransformation));
   if (!outline.isEmpty()) {
     QPainterPath path;
     path.addPolygon(to_thumbnail.map(outline));
@@ -282,8 +272,7 @@ QImage press_thumbnail(const cv::Mat& grey,
   return thumbnail;
 }
 
-QPixmap PressThumbnails::of(const CollectedPress& press,
-                            const std::optional<ShownBall>& ball,
+QPixmap PressThumbnails::of(const CollectedPress& press, const std::optional<ShownBall>& ball,
                             std::optional<Meaning> meaning) {
   if (press.analysis.grey.empty()) return {};
   Drawn& drawn = drawn_[press.name];
@@ -292,12 +281,9 @@ QPixmap PressThumbnails::of(const CollectedPress& press,
   const bool is_by_hand = ball && ball->is_by_hand;
   if (drawn.grey.data != press.analysis.grey.data || drawn.ball != now ||
       drawn.is_by_hand != is_by_hand || drawn.meaning != meaning)
-    drawn = {press.analysis.grey,
-             now,
-             is_by_hand,
-             meaning,
-             QPixmap::fromImage(press_thumbnail(
-                 press.analysis.grey, ball, size(), qGuiApp->devicePixelRatio(), meaning))};
+    drawn = {press.analysis.grey, now, is_by_hand, meaning,
+             QPixmap::fromImage(press_thumbnail(press.analysis.grey, ball, size(),
+                                                qGuiApp->devicePixelRatio(), meaning))};
   return drawn.pixmap;
 }
 

@@ -28,18 +28,15 @@ namespace alltact {
 /// Thumbnail of a press, `size` logical pixels with `ratio` pixels each: a crop around the ball
 /// with its outline, without a ball the full finger. `meaning`: drawn as a coloured bar at the left
 /// edge with its symbol.
-[[nodiscard]] QImage press_thumbnail(const cv::Mat& grey,
-                                     const std::optional<ShownBall>& ball,
-                                     const QSize& size,
-                                     double ratio,
+[[nodiscard]] QImage press_thumbnail(const cv::Mat& grey, const std::optional<ShownBall>& ball,
+                                     const QSize& size, double ratio,
                                      std::optional<Meaning> meaning = std::nullopt);
 
 /// Cache of the thumbnails of all presses in a list; an entry is drawn again when its press
 /// changed.
 class PressThumbnails {
  public:
-  [[nodiscard]] QPixmap of(const CollectedPress& press,
-                           const std::optional<ShownBall>& ball,
+  [[nodiscard]] QPixmap of(const CollectedPress& press, const std::optional<ShownBall>& ball,
                            std::optional<Meaning> meaning);
   [[nodiscard]] static QSize size() { return {112, 63}; }
 
@@ -72,8 +69,7 @@ class PressModel : public QAbstractListModel {
  public:
   enum Role { kName = Qt::UserRole };
 
-  PressModel(const PressCollection& collection,
-             const CalibrationRun& run,
+  PressModel(const PressCollection& collection, const CalibrationRun& run,
              QObject* parent = nullptr);
   /// -1: no such press.
   [[nodiscard]] int row_of(const std::string& name) const;

@@ -31,11 +31,8 @@ constexpr int kMinListHeight = 150;
 
 }  // namespace
 
-PressesPage::PressesPage(LiveSession& session,
-                         PressCollection& collection,
-                         const CalibrationRun& run,
-                         PressForecast& forecast,
-                         QWidget* parent)
+PressesPage::PressesPage(LiveSession& session, PressCollection& collection,
+                         const CalibrationRun& run, PressForecast& forecast, QWidget* parent)
     : StepPage(parent),
       session_(session),
       collection_(collection),
@@ -191,35 +188,27 @@ void PressesPage::connect_parts() {
   connect(&session_, &LiveSession::view_ready, this, &PressesPage::watch_contact);
   connect(&session_, &LiveSession::status_ready, this, &PressesPage::follow_source);
   connect(live_button_, &QPushButton::clicked, this, [this] { show_press({}); });
-  connect(press_button_, &QPushButton::clicked, this, [this] {
-    show_press(model_.name_at(std::max(0, list_->currentIndex().row())));
-  });
+  connect(press_button_, &QPushButton::clicked, this,
+          [this] { show_press(model_.name_at(std::max(0, list_->currentIndex().row()))); });
   connect(residual_, &QCheckBox::toggled, this, &PressesPage::show_shown);
-  connect(editor_,
-          &OutlineEditor::ball_moved,
-          this,
+  connect(editor_, &OutlineEditor::ball_moved, this,
           [this](const Eigen::Vector3d&, const Eigen::Vector3d& after, int grip) {
             collection_.set_ball(shown_, after, grip);
           });
-  connect(list_->selectionModel(),
-          &QItemSelectionModel::currentChanged,
-          this,
+  connect(list_->selectionModel(), &QItemSelectionModel::currentChanged, this,
           [this](const QModelIndex& now) {
             if (now.isValid()) show_press(model_.name_at(now.row()));
           });
-  connect(list_, &QListView::clicked, this, [this](const QModelIndex& at) {
-    show_press(model_.name_at(at.row()));
-  });
+  connect(list_, &QListView::clicked, this,
+          [this](const QModelIndex& at) { show_press(model_.name_at(at.row())); });
   connect(&model_, &QAbstractItemModel::modelReset, this, &PressesPage::show_list);
   connect(leave_out_, &QPushButton::clicked, this, [this] { collection_.toggle_left_out(shown_); });
   connect(remove_, &QPushButton::clicked, this, [this] { collection_.remove(shown_); });
   connect(add_, &QPushButton::clicked, this, &PressesPage::choose_files);
-  connect(radius_, &NumberField::valueChanged, this, [this](double value) {
-    collection_.set_radius(value);
-  });
-  connect(operator_, &QLineEdit::editingFinished, this, [this] {
-    collection_.set_operator(operator_->text().trimmed().toStdString());
-  });
+  connect(radius_, &NumberField::valueChanged, this,
+          [this](double value) { collection_.set_radius(value); });
+  connect(operator_, &QLineEdit::editingFinished, this,
+          [this] { collection_.set_operator(operator_->text().trimmed().toStdString()); });
   // The next key must not be typed into the field.
   connect(operator_, &QLineEdit::returnPressed, this, [this] { take_->setFocus(); });
   connect(take_, &QPushButton::clicked, this, &PressesPage::take);
@@ -284,9 +273,7 @@ QString PressesPage::missing() const {
 }
 
 void PressesPage::choose_files() {
-  auto* dialog = new QFileDialog(this,
-                                 tr("Images of presses"),
-                                 QString(),
+  auto* dialog = new QFileDialog(this, tr("Images of presses"), QString(),
                                  tr("Images (*.png *.jpg *.jpeg *.bmp *.tif *.tiff *.pgm)"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFiles);
@@ -400,9 +387,8 @@ PressForm::PressForm(PressCollection& collection, QWidget* parent)
   add(depth_sd_label_, depth_sd_, kDepthSd, 0.005);
   depth_sd_->setMinimum(kMinSdMm);
   add(step_label_, step_, kStepHeight, 0.1);
-  connect(radius_, &NumberField::valueChanged, this, [this](double value) {
-    collection_.set_radius_of(shown_, value);
-  });
+  connect(radius_, &NumberField::valueChanged, this,
+          [this](double value) { collection_.set_radius_of(shown_, value); });
   connect(depth_, &NumberField::valueChanged, this, [this](double value) {
     const auto before = collection_.press_set().of(shown_).depth;
     collection_.set_depth_of(shown_, {value, before ? before->sd_mm : kTypicalDepthSdMm});
@@ -411,9 +397,8 @@ PressForm::PressForm(PressCollection& collection, QWidget* parent)
     if (const auto before = collection_.press_set().of(shown_).depth)
       collection_.set_depth_of(shown_, {before->mm, value});
   });
-  connect(step_, &NumberField::valueChanged, this, [this](double value) {
-    collection_.set_step_of(shown_, value);
-  });
+  connect(step_, &NumberField::valueChanged, this,
+          [this](double value) { collection_.set_step_of(shown_, value); });
   say([this] { name_parts(); });
 }
 
@@ -484,9 +469,8 @@ QString difference_text(const PressFit& fit) {
 }  // namespace
 
 std::vector<Overlay> residual_overlays(const PressFit& fit) {
-  return {
-      squares_overlay(fit),
-      colour_bar_overlay(difference_scale(kGoodErrorMm), PressFitPane::tr("Mapping − ball, mm"))};
+  return {squares_overlay(fit), colour_bar_overlay(difference_scale(kGoodErrorMm),
+                                                   PressFitPane::tr("Mapping − ball, mm"))};
 }
 
 PressFitPane::PressFitPane(QWidget* parent)
@@ -502,10 +486,8 @@ PressFitPane::PressFitPane(QWidget* parent)
   words_->hide();
 }
 
-void PressFitPane::show_fit(const PressFit* fit,
-                            const PressFit* before,
-                            const Calibration* calibration,
-                            const QString& forecast) {
+void PressFitPane::show_fit(const PressFit* fit, const PressFit* before,
+                            const Calibration* calibration, const QString& forecast) {
   setVisible(fit != nullptr && calibration != nullptr);
   words_->setVisible(fit != nullptr && calibration != nullptr);
   if (fit == nullptr || calibration == nullptr) return;
@@ -554,11 +536,9 @@ std::optional<ShownBall> PressesPage::ball_of(const CollectedPress& press) const
   if (!middle) return std::nullopt;
   const double layer_mm = collection_.analyser()->finger().face.layer_mm;
   return ShownBall{
-      collection_.analyser()->camera(),
-      radius,
+      collection_.analyser()->camera(), radius,
       untouched_point_mm(*middle, layer_mm, MappingAlong::kNormal) + 0.8 * radius * middle->normal,
-      false,
-      middle->normal};
+      false, middle->normal};
 }
 
 std::vector<Overlay> PressesPage::overlays_of(const CollectedPress& press) const {
@@ -566,10 +546,8 @@ std::vector<Overlay> PressesPage::overlays_of(const CollectedPress& press) const
   if (fit_ && residual_->isChecked()) overlays = residual_overlays(*fit_);
   const auto ball = ball_of(press);
   if (!ball || !press.analysis.shape) return overlays;
-  const auto contact = ball_on_face(*press.analysis.shape,
-                                    collection_.analyser()->finger().face,
-                                    ball->centre_mm,
-                                    ball->radius_mm);
+  const auto contact = ball_on_face(*press.analysis.shape, collection_.analyser()->finger().face,
+                                    ball->centre_mm, ball->radius_mm);
   if (contact)
     overlays.push_back(contact_overlay(contact_rim_px(ball->camera, *contact, kRimPoints)));
   return overlays;
@@ -587,10 +565,8 @@ QString PressesPage::advice_for(const CollectedPress& press) const {
       !collection_.press_set().of(press.name).ball_mm && ball)
     lines << tr("Or drag the outline onto the ball.");
   if (ball && collection_.press_set().of(press.name).ball_mm && press.analysis.shape) {
-    const auto contact = ball_on_face(*press.analysis.shape,
-                                      collection_.analyser()->finger().face,
-                                      ball->centre_mm,
-                                      ball->radius_mm);
+    const auto contact = ball_on_face(*press.analysis.shape, collection_.analyser()->finger().face,
+                                      ball->centre_mm, ball->radius_mm);
     lines << (contact && contact->depth_mm > 0
                   ? tr("At this position, it is pressed in by %1 mm.")
                         .arg(local_mm(contact->depth_mm, 2))
@@ -606,8 +582,8 @@ std::optional<PressFit> PressesPage::fit_at(const CollectedPress& press,
     return std::nullopt;
   Press measured = *press.analysis.measured->taken.press;  // shares its images
   measured.ball_radius_mm = collection_.press_set().radius_of(press.name);
-  return fit_of_press(
-      measured, collection_.analyser()->finger().face, known->calibration.mapping, centre_mm);
+  return fit_of_press(measured, collection_.analyser()->finger().face, known->calibration.mapping,
+                      centre_mm);
 }
 
 void PressesPage::show_shown() {
@@ -673,20 +649,19 @@ void PressesPage::show_fit(const CollectedPress& press) {
   const auto before = solved ? fit_at(press, *solved) : std::nullopt;
   fit_ = is_by_hand ? fit_at(press, editor_->ball()->centre_mm) : before;
   const FingerCalibration* known = forecast_.baseline();
-  fit_pane_->show_fit(fit_ ? &*fit_ : nullptr,
-                      is_by_hand && before ? &*before : nullptr,
+  fit_pane_->show_fit(fit_ ? &*fit_ : nullptr, is_by_hand && before ? &*before : nullptr,
                       known != nullptr ? &known->calibration : nullptr,
                       forecast_text(forecast_, run_));
 }
 
 void PressesPage::show_position() {
   const auto circle = editor_->ball() ? image_outline(*editor_->ball()) : std::nullopt;
-  position_->setText(circle ? tr("Centre u %1 px, v %2 px, radius %3 px, %4 mm from the camera")
-                                  .arg(local_mm(circle->centre.x(), 1),
-                                       local_mm(circle->centre.y(), 1),
-                                       local_mm(circle->radius_px(), 1),
-                                       local_mm(editor_->ball()->centre_mm.z(), 2))
-                            : tr("No ball is drawn here."));
+  position_->setText(
+      circle
+          ? tr("Centre u %1 px, v %2 px, radius %3 px, %4 mm from the camera")
+                .arg(local_mm(circle->centre.x(), 1), local_mm(circle->centre.y(), 1),
+                     local_mm(circle->radius_px(), 1), local_mm(editor_->ball()->centre_mm.z(), 2))
+          : tr("No ball is drawn here."));
 }
 
 // Taking presses in the step Presses: by a click, a key, a pedal, or automatically.

@@ -58,9 +58,7 @@ class PressFitPane : public Translated<QWidget> {
 
   /// fit: at the current ball position; before: at the calibrated position, if the ball was moved
   /// by hand. Null fit: the pane is hidden. `forecast`: expected accuracy with all presses.
-  void show_fit(const PressFit* fit,
-                const PressFit* before,
-                const Calibration* calibration,
+  void show_fit(const PressFit* fit, const PressFit* before, const Calibration* calibration,
                 const QString& forecast);
 
   /// Text of the plot, for the layout next to the image; shown and hidden with the pane.
@@ -77,11 +75,8 @@ class PressFitPane : public Translated<QWidget> {
 class PressesPage : public StepPage {
   Q_OBJECT
  public:
-  PressesPage(LiveSession& session,
-              PressCollection& collection,
-              const CalibrationRun& run,
-              PressForecast& forecast,
-              QWidget* parent = nullptr);
+  PressesPage(LiveSession& session, PressCollection& collection, const CalibrationRun& run,
+              PressForecast& forecast, QWidget* parent = nullptr);
 
   [[nodiscard]] QString title() const override { return tr("Presses"); }
   [[nodiscard]] StepState state() const override;

@@ -88,8 +88,7 @@ void StepList::apply_style() {
             ? QIcon()
             : QIcon(symbol(is_done ? QStringLiteral("good") : QStringLiteral("doubtful"),
                            meaning_colour(is_done ? Meaning::kGood : Meaning::kDoubtful, palette()),
-                           kStepSymbol,
-                           devicePixelRatioF())));
+                           kStepSymbol, devicePixelRatioF())));
   }
   fit();
 }

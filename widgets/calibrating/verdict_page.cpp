@@ -77,9 +77,8 @@ VerdictPage::VerdictPage(CalibrationRun& run, QWidget* parent)
   connect(report_, &QPushButton::clicked, this, [this] {
     QDesktopServices::openUrl(QUrl::fromLocalFile(QString::fromStdString(run_.report().string())));
   });
-  connect(copy_, &QPushButton::clicked, this, [this] {
-    QGuiApplication::clipboard()->setText(run_.command_line());
-  });
+  connect(copy_, &QPushButton::clicked, this,
+          [this] { QGuiApplication::clipboard()->setText(run_.command_line()); });
   for (const auto& [one, other] : {std::pair(fold_, fold_more_), std::pair(fold_more_, fold_)})
     connect(one, &QToolButton::toggled, this, [this, other = other](bool is_open) {
       if (is_open) other->setChecked(false);
@@ -228,17 +227,15 @@ QString VerdictPage::missing() const {
 void VerdictPage::show_head() {
   known_ = verdict_of(run_);
   const auto& worth = run_.worth();
-  const Headline headline = !known_ ? Headline{run_.state() == CalibrationState::kNone
-                                                   ? tr("Not calibrated yet")
-                                                   : tr("Calibrated; accuracy not stored"),
-                                               Meaning::kDoubtful}
-                                    : headline_of(known_->grade,
-                                                  expected_error_mm(*known_).value_or(0.0),
-                                                  worth->must_repeat,
-                                                  worth->reference);
+  const Headline headline =
+      !known_ ? Headline{run_.state() == CalibrationState::kNone
+                             ? tr("Not calibrated yet")
+                             : tr("Calibrated; accuracy not stored"),
+                         Meaning::kDoubtful}
+              : headline_of(known_->grade, expected_error_mm(*known_).value_or(0.0),
+                            worth->must_repeat, worth->reference);
   symbol_->setPixmap(symbol(meaning_symbol(headline.meaning),
-                            meaning_colour(headline.meaning, palette()),
-                            kVerdictSymbol,
+                            meaning_colour(headline.meaning, palette()), kVerdictSymbol,
                             devicePixelRatioF()));
   grade_->setText(headline.text);
   QStringList findings;
@@ -247,8 +244,7 @@ void VerdictPage::show_head() {
     for (std::size_t i = 0; i < std::min(all.size(), kShownFindings); ++i)
       findings << tr("• %1", "an item of a list").arg(window_sentence(all[i]));
     if (all.size() > kShownFindings)
-      findings << tr("• %n more at the top of the remarks.",
-                     nullptr,
+      findings << tr("• %n more at the top of the remarks.", nullptr,
                      static_cast<int>(all.size() - kShownFindings));
   }
   if (run_.state() == CalibrationState::kStale && !(worth && worth->must_repeat))
@@ -301,8 +297,8 @@ void VerdictPage::show_next_press() {
   errors_->set_data(press_errors(shown_->calibration));
   mapping_->set_data(mapping_figure(shown_->calibration, shown_->residuals));
   const Calibration& calibration = shown_->calibration;
-  FaceMapData data = face_figure(
-      FaceQuantity::kCoverage, calibration, shown_->residuals, shown_->finger.face.kind);
+  FaceMapData data = face_figure(FaceQuantity::kCoverage, calibration, shown_->residuals,
+                                 shown_->finger.face.kind);
   const auto& advice = calibration.next_press;
   if (!advice) {
     next_->setText(tr("These presses give no information on this."));
@@ -310,11 +306,8 @@ void VerdictPage::show_next_press() {
     next_->setText(window_sentence(advice->sentence));
     if (!advice->enough) {
       const double r = shown_->inputs.press_set.ball_radius_mm, d = std::min(advice->depth_mm, r);
-      data.contacts.push_back({advice->along_mm,
-                               advice->across_mm,
-                               std::sqrt(d * (2 * r - d)),
-                               tr("press here next").toStdString(),
-                               true});
+      data.contacts.push_back({advice->along_mm, advice->across_mm, std::sqrt(d * (2 * r - d)),
+                               tr("press here next").toStdString(), true});
     }
   }
   face_->set_data(std::move(data));
@@ -376,8 +369,7 @@ class Sheet {
   void add_verdict() {
     const bool is_known = now_ && now_->evidence;
     const Verdict worth = is_known ? window_verdict(*now_->evidence) : done_.verdict;
-    const Headline headline = headline_of(worth.grade,
-                                          expected_error_mm(worth).value_or(0.0),
+    const Headline headline = headline_of(worth.grade, expected_error_mm(worth).value_or(0.0),
                                           is_known && now_->must_repeat,
                                           is_known ? now_->reference : ReferenceState::kIntact);
     QStringList lines;
@@ -386,42 +378,39 @@ class Sheet {
       lines << window_sentence(finding);
     for (const Message& line : {worth.cause, worth.rests_on})
       if (!line.empty()) lines << window_sentence(line);
-    document_.box(
-        headline.text, lines.join(QLatin1Char('\n')), meaning_colour(headline.meaning, light_));
+    document_.box(headline.text, lines.join(QLatin1Char('\n')),
+                  meaning_colour(headline.meaning, light_));
     const auto seconds = unix_seconds(done_.inputs.date);
     const QString date =
         seconds ? QLocale().toString(QDateTime::fromSecsSinceEpoch(static_cast<qint64>(*seconds)),
                                      QLocale::ShortFormat)
                 : as_text(done_.inputs.date);
     const QString person = as_text(done_.inputs.press_set.operator_name);
-    document_.paragraph(joined({SheetWords::tr("%1, ball of radius %2 mm, %n press(es), AllTact %3",
-                                               nullptr,
-                                               static_cast<int>(done_.calibration.balls.size()))
-                                    .arg(date,
-                                         local_mm(done_.inputs.press_set.ball_radius_mm, 3),
-                                         as_text(done_.inputs.program_version)),
-                                person}));
+    document_.paragraph(
+        joined({SheetWords::tr("%1, ball of radius %2 mm, %n press(es), AllTact %3", nullptr,
+                               static_cast<int>(done_.calibration.balls.size()))
+                    .arg(date, local_mm(done_.inputs.press_set.ball_radius_mm, 3),
+                         as_text(done_.inputs.program_version)),
+                person}));
     if (!done_.zones.empty())
       document_.paragraph(SheetWords::tr("By zone of the face: %1.")
                               .arg(in_window_language(zone_sentence(done_.zones))));
     QStringList signs;
     for (const Message& sign : done_.fault_signs) signs << window_sentence(sign);
     if (!signs.isEmpty())
-      document_.box(SheetWords::tr("The presses show a fault"),
-                    signs.join(QLatin1Char('\n')),
+      document_.box(SheetWords::tr("The presses show a fault"), signs.join(QLatin1Char('\n')),
                     meaning_colour(Meaning::kDoubtful, light_));
   }
 
   void add_figures() {
     MappingPlot mapping;
     mapping.set_data(mapping_figure(done_.calibration, done_.residuals));
-    add(mapping,
-        220,
+    add(mapping, 220,
         SheetWords::tr("From brightness to depth: each point is a block of pixels "
                        "under a ball."));
     FaceMapPlot map;
-    map.set_data(face_figure(
-        FaceQuantity::kResidual, done_.calibration, done_.residuals, done_.finger.face.kind));
+    map.set_data(face_figure(FaceQuantity::kResidual, done_.calibration, done_.residuals,
+                             done_.finger.face.kind));
     add(map, 180, SheetWords::tr("Position on the face, and the mapping's error there."));
   }
 
@@ -443,12 +432,9 @@ class Sheet {
                       {error ? local_mm(*error, 3) : SheetWords::tr("unknown"), {}, 0},
                       {error ? error_word(meaning_of_error(*error)) : QString(), {}, 0}});
     }
-    document_.table({SheetWords::tr("Press"),
-                     SheetWords::tr("Depth (mm)"),
-                     SheetWords::tr("Error (mm)"),
-                     QString()},
-                    rows,
-                    {false, true, true, false});
+    document_.table({SheetWords::tr("Press"), SheetWords::tr("Depth (mm)"),
+                     SheetWords::tr("Error (mm)"), QString()},
+                    rows, {false, true, true, false});
     const auto more = done_.calibration.balls.size() - rows.size();
     if (more > 0)
       document_.paragraph(
@@ -468,8 +454,7 @@ class Sheet {
 
 }  // namespace
 
-Document verdict_sheet(const FingerCalibration& done,
-                       const QString& command,
+Document verdict_sheet(const FingerCalibration& done, const QString& command,
                        const std::optional<FingerWorth>& now) {
   return Sheet(done, now).written(command);
 }
@@ -481,9 +466,7 @@ void print_sheet(const Document& sheet, QWidget& parent) {
   auto* dialog = new QPrintDialog(printer.get(), &parent);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setWindowTitle(SheetWords::tr("Print the verdict"));
-  QObject::connect(dialog,
-                   qOverload<QPrinter*>(&QPrintDialog::accepted),
-                   dialog,
+  QObject::connect(dialog, qOverload<QPrinter*>(&QPrintDialog::accepted), dialog,
                    [sheet, printer](QPrinter* chosen) { sheet.print(*chosen); });
   // The dialog uses the printer as long as it lives.
   QObject::connect(dialog, &QObject::destroyed, [printer] {});
@@ -507,9 +490,8 @@ std::vector<PressesPoint> points_of(const CalibratingStudy& study) {
     point.is_current = row.choice == now;
     points.push_back(point);
   }
-  std::sort(points.begin(), points.end(), [](const PressesPoint& a, const PressesPoint& b) {
-    return a.presses < b.presses;
-  });
+  std::sort(points.begin(), points.end(),
+            [](const PressesPoint& a, const PressesPoint& b) { return a.presses < b.presses; });
   return points;
 }
 
@@ -629,9 +611,7 @@ void PressesPlot::set_points(std::vector<PressesPoint> points) {
   rebuild();
 }
 
-QString PressesPlot::empty_text() const {
-  return tr("Nothing is computed yet");
-}
+QString PressesPlot::empty_text() const { return tr("Nothing is computed yet"); }
 
 bool PressesPlot::draw() {
   if (points_.empty()) return false;
@@ -660,8 +640,8 @@ bool PressesPlot::draw() {
   line->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, painted, 7));
   now->setName(tr("current presses"));
   now->setLineStyle(QCPGraph::lsNone);
-  now->setScatterStyle(QCPScatterStyle(
-      QCPScatterStyle::ssCircle, QPen(palette().text().color(), 2), Qt::NoBrush, 13));
+  now->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssCircle, QPen(palette().text().color(), 2),
+                                       Qt::NoBrush, 13));
   pressed->setName(tr("real presses left out"));
   pressed->setLineStyle(QCPGraph::lsNone);
   pressed->setScatterStyle(

@@ -141,8 +141,7 @@ class VerdictPage : public StepPage {
 /// GUI thread.
 ///   command: terminal command that makes the same calibration
 ///   now: rating as of now; nullopt: as of the calibration
-[[nodiscard]] Document verdict_sheet(const FingerCalibration& done,
-                                     const QString& command,
+[[nodiscard]] Document verdict_sheet(const FingerCalibration& done, const QString& command,
                                      const std::optional<FingerWorth>& now = std::nullopt);
 
 /// Opens a print dialog for a printer or a PDF file and prints.

@@ -20,15 +20,10 @@ namespace alltact {
 namespace {
 
 /// First to last; all others follow in the camera's order.
-constexpr std::array<std::uint32_t, 9> kImportant{V4L2_CID_EXPOSURE_AUTO,
-                                                  V4L2_CID_EXPOSURE_ABSOLUTE,
-                                                  V4L2_CID_AUTOGAIN,
-                                                  V4L2_CID_GAIN,
-                                                  V4L2_CID_AUTO_WHITE_BALANCE,
-                                                  V4L2_CID_WHITE_BALANCE_TEMPERATURE,
-                                                  V4L2_CID_FOCUS_AUTO,
-                                                  V4L2_CID_FOCUS_ABSOLUTE,
-                                                  V4L2_CID_BRIGHTNESS};
+constexpr std::array<std::uint32_t, 9> kImportant{
+    V4L2_CID_EXPOSURE_AUTO, V4L2_CID_EXPOSURE_ABSOLUTE,  V4L2_CID_AUTOGAIN,
+    V4L2_CID_GAIN,          V4L2_CID_AUTO_WHITE_BALANCE, V4L2_CID_WHITE_BALANCE_TEMPERATURE,
+    V4L2_CID_FOCUS_AUTO,    V4L2_CID_FOCUS_ABSOLUTE,     V4L2_CID_BRIGHTNESS};
 
 std::size_t rank(const CameraControl& control) {
   return static_cast<std::size_t>(std::find(kImportant.begin(), kImportant.end(), control.id) -
@@ -57,18 +52,14 @@ class TenthsBox : public IntegerField {
     if (std::abs(tenths) < std::numeric_limits<int>::max() &&
         std::abs(tenths - std::round(tenths)) < 1e-6)
       return static_cast<int>(std::lround(tenths));
-    return Error{
-        en::say(
-            "'{}' has too many digits after the decimal mark (at most {})", text.toStdString(), 1),
-        "",
-        ""};
+    return Error{en::say("'{}' has too many digits after the decimal mark (at most {})",
+                         text.toStdString(), 1),
+                 "", ""};
   }
   [[nodiscard]] double shown_number(int value) const override { return 0.1 * value; }
 };
 
-bool is_in_tenths(const CameraControl& control) {
-  return control.id == V4L2_CID_EXPOSURE_ABSOLUTE;
-}
+bool is_in_tenths(const CameraControl& control) { return control.id == V4L2_CID_EXPOSURE_ABSOLUTE; }
 
 IntegerField* box_for(const CameraControl& control) {
   return is_in_tenths(control) ? new TenthsBox : new IntegerField;
@@ -83,8 +74,8 @@ QString text_of(const CameraControl& control, std::int64_t value) {
 }
 
 int as_int(std::int64_t value) {
-  return static_cast<int>(std::clamp<std::int64_t>(
-      value, std::numeric_limits<int>::min(), std::numeric_limits<int>::max()));
+  return static_cast<int>(std::clamp<std::int64_t>(value, std::numeric_limits<int>::min(),
+                                                   std::numeric_limits<int>::max()));
 }
 
 bool is_same_control(const CameraControl& a, const CameraControl& b) {
@@ -175,9 +166,8 @@ class ControlPanel::Row : public QWidget {
     label->setBuddy(choice_);
     layout.addWidget(label);
     layout.addWidget(choice_);
-    connect(choice_, &QComboBox::currentIndexChanged, this, [this](int) {
-      change(choice_->currentData().toLongLong());
-    });
+    connect(choice_, &QComboBox::currentIndexChanged, this,
+            [this](int) { change(choice_->currentData().toLongLong()); });
   }
 
   void change(std::int64_t value) {
@@ -233,12 +223,10 @@ ControlPanel::ControlPanel(QWidget* parent)
 
 void ControlPanel::set_controls(const std::vector<CameraControl>& controls, bool is_locked) {
   std::vector<CameraControl> shown;
-  std::copy_if(controls.begin(),
-               controls.end(),
-               std::back_inserter(shown),
+  std::copy_if(controls.begin(), controls.end(), std::back_inserter(shown),
                [](const CameraControl& control) { return control.is_setting(); });
-  std::stable_sort(
-      shown.begin(), shown.end(), [](const auto& a, const auto& b) { return rank(a) < rank(b); });
+  std::stable_sort(shown.begin(), shown.end(),
+                   [](const auto& a, const auto& b) { return rank(a) < rank(b); });
   const bool is_same =
       std::equal(shown.begin(), shown.end(), controls_.begin(), controls_.end(), is_same_control);
   controls_ = std::move(shown);
@@ -390,8 +378,7 @@ std::optional<DimmerSetting> LampPanel::chosen() const {
   const int which = control_->currentIndex();
   const QString control = which < kControls.size() ? kControls[which] : report_->text().trimmed();
   if (control.isEmpty()) return std::nullopt;
-  return DimmerSetting{device.toStdString(),
-                       control.toStdString(),
+  return DimmerSetting{device.toStdString(), control.toStdString(),
                        static_cast<double>(slider_->value()) / kFullLevel};
 }
 

@@ -23,12 +23,12 @@ constexpr int kSearchIntervalWithoutUdev_ms = 2000;
 constexpr int kHotPlugDelay_ms = 300;  // udev creates its links shortly after the node
 
 bool is_same(const std::vector<FoundCamera>& a, const std::vector<FoundCamera>& b) {
-  return std::equal(
-      a.begin(), a.end(), b.begin(), b.end(), [](const FoundCamera& x, const FoundCamera& y) {
-        return x.identity.node == y.identity.node &&
-               x.identity.stable_name() == y.identity.stable_name() &&
-               x.problem.has_value() == y.problem.has_value();
-      });
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const FoundCamera& x, const FoundCamera& y) {
+                      return x.identity.node == y.identity.node &&
+                             x.identity.stable_name() == y.identity.stable_name() &&
+                             x.problem.has_value() == y.problem.has_value();
+                    });
 }
 
 }  // namespace
@@ -122,8 +122,8 @@ Result<LearntButton> learn_from_all(const HidPorts& ports, const Job& job) {
     names.push_back(hid.identity.stable_name());
   }
   if (open.empty())
-    return Error{
-        en::say("there is no HID device that can be read"), "", en::say("plugging in a pedal")};
+    return Error{en::say("there is no HID device that can be read"), "",
+                 en::say("plugging in a pedal")};
   std::vector<HidPort*> listening;
   for (const auto& port : open) listening.push_back(port.get());
   const auto found = learn_button(listening, kLearnTimeout_ms, job);
@@ -168,9 +168,7 @@ Pedal::Pedal(HidPorts ports, QObject* parent) : QObject(parent), ports_(std::mov
   connect(&learning_, &BackgroundWork::finished, this, &Pedal::changed);
 }
 
-Pedal::~Pedal() {
-  Shared::end(std::move(shared_));
-}
+Pedal::~Pedal() { Shared::end(std::move(shared_)); }
 
 void Pedal::listen(const std::optional<LearntButton>& button) {
   Shared::end(std::exchange(shared_, nullptr));
@@ -187,8 +185,8 @@ void Pedal::listen(const std::optional<LearntButton>& button) {
     };
     // It begins at once and may report before the assignment is done.
     const std::lock_guard lock(shared_->mutex);
-    shared_->button = std::make_unique<HidButton>(
-        open, button->pattern, [shared = shared_.get()] { shared->notify(); });
+    shared_->button = std::make_unique<HidButton>(open, button->pattern,
+                                                  [shared = shared_.get()] { shared->notify(); });
     timer_.start(kPollInterval_ms);
   }
   Q_EMIT changed();
@@ -214,9 +212,7 @@ void Pedal::learn() {
   Q_EMIT changed();
 }
 
-void Pedal::stop_learning() {
-  learning_.stop();
-}
+void Pedal::stop_learning() { learning_.stop(); }
 
 void Pedal::end_learning(const Result<LearntButton>& learnt,
                          const std::optional<LearntButton>& before) {

@@ -94,10 +94,8 @@ std::optional<Message> TypedSpin<Spin>::problem_of(const QString& text) const {
   if (quantity_ != nullptr && !is_special)
     if (auto refused = quantity_->refusal(static_cast<double>(*value))) return refused;
   if (*value >= this->minimum() && *value <= this->maximum()) return std::nullopt;
-  return en::say("must be a number from {:g} to {:g}{}",
-                 shown_number(this->minimum()),
-                 shown_number(this->maximum()),
-                 this->suffix().toStdString());
+  return en::say("must be a number from {:g} to {:g}{}", shown_number(this->minimum()),
+                 shown_number(this->maximum()), this->suffix().toStdString());
 }
 
 template <class Spin>
@@ -292,10 +290,8 @@ Result<double> NumberField::parsed(const QString& text) const {
                                         {window_decimal_mark(), suffix().trimmed().toStdString()});
   if (!value || QString::number(*value, 'f', kMaxDecimals).toDouble() == *value) return value;
   return Error{en::say("'{}' has too many digits after the decimal mark (at most {})",
-                       text.toStdString(),
-                       kMaxDecimals),
-               "",
-               ""};
+                       text.toStdString(), kMaxDecimals),
+               "", ""};
 }
 
 QString NumberField::written(double value, bool is_exact) const {

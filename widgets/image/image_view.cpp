@@ -31,9 +31,7 @@ struct OnScreen {
 
 /// Reduces bilinearly: Qt takes six times as long for grey images. `shown`: of the widget, logical
 /// pixels.
-OnScreen reduced(const cv::Mat& grey,
-                 const ImageTransform& transform,
-                 const QRectF& shown,
+OnScreen reduced(const cv::Mat& grey, const ImageTransform& transform, const QRectF& shown,
                  double device_ratio) {
   const QRectF covered = transform.covered(QSize(grey.cols, grey.rows)).intersected(shown);
   // Pixels of the screen whose centres the image covers.
@@ -44,10 +42,7 @@ OnScreen reduced(const cv::Mat& grey,
       end(first_in(covered.right()), first_in(covered.bottom()));
   if (first.x() >= end.x() || first.y() >= end.y()) return {};
   QImage image(end.x() - first.x(), end.y() - first.y(), QImage::Format_Grayscale8);
-  cv::Mat pixels(image.height(),
-                 image.width(),
-                 CV_8UC1,
-                 image.bits(),
+  cv::Mat pixels(image.height(), image.width(), CV_8UC1, image.bits(),
                  static_cast<std::size_t>(image.bytesPerLine()));
   const auto image_point_of = [&](QPointF device) {
     return transform.to_image((device + QPointF(0.5, 0.5)) / device_ratio);
@@ -55,19 +50,13 @@ OnScreen reduced(const cv::Mat& grey,
   const QPointF from = image_point_of(first);
   const double step = 1 / (transform.scale * device_ratio);
   const cv::Matx23d image_from_screen(step, 0, from.x(), 0, step, from.y());
-  cv::warpAffine(grey,
-                 pixels,
-                 image_from_screen,
-                 pixels.size(),
-                 cv::INTER_LINEAR | cv::WARP_INVERSE_MAP,
-                 cv::BORDER_REPLICATE);
+  cv::warpAffine(grey, pixels, image_from_screen, pixels.size(),
+                 cv::INTER_LINEAR | cv::WARP_INVERSE_MAP, cv::BORDER_REPLICATE);
   image.setDevicePixelRatio(device_ratio);
   return {image, QPointF(first) / device_ratio};
 }
 
-QColor background(const QPalette& palette) {
-  return palette.color(QPalette::Window);
-}
+QColor background(const QPalette& palette) { return palette.color(QPalette::Window); }
 
 }  // namespace
 
@@ -122,9 +111,7 @@ void ImageView::set_transform(const ImageTransform& transform, bool is_fitted) {
   Q_EMIT zoom_changed();
 }
 
-void ImageView::fit() {
-  set_transform(ImageTransform::fit(image_size(), size()), true);
-}
+void ImageView::fit() { set_transform(ImageTransform::fit(image_size(), size()), true); }
 
 void ImageView::show_actual_size() {
   zoom_to(1 / devicePixelRatioF(), QPointF(0.5 * width(), 0.5 * height()));
@@ -243,9 +230,7 @@ void ImageView::mouseReleaseEvent(QMouseEvent* /*event*/) {
   unsetCursor();
 }
 
-void ImageView::mouseDoubleClickEvent(QMouseEvent* /*event*/) {
-  fit();
-}
+void ImageView::mouseDoubleClickEvent(QMouseEvent* /*event*/) { fit(); }
 
 void ImageView::leaveEvent(QEvent* /*event*/) {
   hovered_.reset();

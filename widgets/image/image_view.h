@@ -114,10 +114,7 @@ class ImageView : public Translated<QWidget> {
 
 /// Shares the pixels (CV_8UC1); valid while `grey` lives.
 [[nodiscard]] inline QImage grey_image(const cv::Mat& grey) {
-  return {grey.data,
-          grey.cols,
-          grey.rows,
-          static_cast<qsizetype>(grey.step),
+  return {grey.data, grey.cols, grey.rows, static_cast<qsizetype>(grey.step),
           QImage::Format_Grayscale8};
 }
 

@@ -28,13 +28,9 @@ constexpr int kOneRun_ms = 1000;      // steps within this time are one
 constexpr double kLoupe = 168, kLoupeGap = 26, kLoupeScale = 10;
 const QColor kOutline(255, 214, 64);
 
-QPointF to_point(const Eigen::Vector2d& v) {
-  return {v.x(), v.y()};
-}
+QPointF to_point(const Eigen::Vector2d& v) { return {v.x(), v.y()}; }
 
-double distance(QPointF a, QPointF b) {
-  return std::hypot(a.x() - b.x(), a.y() - b.y());
-}
+double distance(QPointF a, QPointF b) { return std::hypot(a.x() - b.x(), a.y() - b.y()); }
 
 std::vector<QPointF> outline_of(const ShownBall& ball, int count) {
   std::vector<QPointF> points;
@@ -236,23 +232,19 @@ QRectF OutlineEditor::magnifier() const {
   for (const QRectF& hidden : {ball_area, hand}) {
     const double y = std::clamp(spot.y() - kLoupe / 2, room.top(), room.bottom() - kLoupe);
     const double x = std::clamp(spot.x() - kLoupe / 2, room.left(), room.right() - kLoupe);
-    for (const QPointF corner : {QPointF(hidden.right() + 1, y),
-                                 QPointF(hidden.left() - kLoupe - 1, y),
-                                 QPointF(x, hidden.top() - kLoupe - 1),
-                                 QPointF(x, hidden.bottom() + 1)}) {
+    for (const QPointF corner :
+         {QPointF(hidden.right() + 1, y), QPointF(hidden.left() - kLoupe - 1, y),
+          QPointF(x, hidden.top() - kLoupe - 1), QPointF(x, hidden.bottom() + 1)}) {
       const QRectF loupe(corner, QSizeF(kLoupe, kLoupe));
       if (fits(loupe, hidden)) return loupe;
     }
   }
   const bool is_left = spot.x() > room.center().x(), is_up = spot.y() > room.center().y();
   return {is_left ? room.left() : room.right() - kLoupe,
-          is_up ? room.top() : room.bottom() - kLoupe,
-          kLoupe,
-          kLoupe};
+          is_up ? room.top() : room.bottom() - kLoupe, kLoupe, kLoupe};
 }
 
-void OutlineEditor::paint_outline(QPainter& painter,
-                                  const ImageTransform& transform,
+void OutlineEditor::paint_outline(QPainter& painter, const ImageTransform& transform,
                                   bool with_handles) const {
   QPolygonF polygon;
   for (const QPointF& p : outline_) polygon << transform.to_widget(p);

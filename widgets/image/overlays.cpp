@@ -22,9 +22,7 @@ void write(QPainter& painter, QPointF centre, const QString& text) {
   const QFontMetricsF metrics(painter.font());
   QPainterPath path;
   path.addText(centre.x() - 0.5 * metrics.horizontalAdvance(text),
-               centre.y() + 0.5 * metrics.capHeight(),
-               painter.font(),
-               text);
+               centre.y() + 0.5 * metrics.capHeight(), painter.font(), text);
   painter.setPen(QPen(kHalo, 3, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   painter.setBrush(Qt::NoBrush);
   painter.drawPath(path);
@@ -72,10 +70,7 @@ QPointF middle_of(const Markers& markers) {
 
 }  // namespace
 
-void stroke_over(QPainter& painter,
-                 const QPainterPath& path,
-                 const QColor& colour,
-                 double width,
+void stroke_over(QPainter& painter, const QPainterPath& path, const QColor& colour, double width,
                  Qt::PenStyle style) {
   painter.setBrush(Qt::NoBrush);
   painter.setPen(QPen(kHalo, width + 2.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
@@ -141,10 +136,7 @@ Overlay force_overlay(const Push& push, const Markers& markers) {
 Overlay layer_overlay(const cv::Mat& layer, cv::Point at) {
   return [layer, at](QPainter& painter, const ImageTransform& transform) {
     if (layer.empty()) return;
-    const QImage image(layer.data,
-                       layer.cols,
-                       layer.rows,
-                       static_cast<qsizetype>(layer.step),
+    const QImage image(layer.data, layer.cols, layer.rows, static_cast<qsizetype>(layer.step),
                        QImage::Format_ARGB32_Premultiplied);
     const QRectF covered = transform.covered(image.size());
     painter.drawImage(covered.translated(QPointF(at.x, at.y) * transform.scale), image);
@@ -186,8 +178,7 @@ Overlay flash_overlay(const QString& words) {
     painter.setFont(font);
     const QSizeF size = QFontMetricsF(font).size(0, words);
     write_on_plate(painter,
-                   room.center() - QPointF(0.5 * size.width() + 7, 0.5 * size.height() + 4),
-                   words,
+                   room.center() - QPointF(0.5 * size.width() + 7, 0.5 * size.height() + 4), words,
                    kText);
   };
 }
@@ -201,8 +192,7 @@ void write_next_to(QPainter& painter, QPointF widget, const QString& words, cons
   write_on_plate(painter, at, words, colour);
 }
 
-Overlay colour_bar_overlay(const ColourScale& scale,
-                           const QString& title,
+Overlay colour_bar_overlay(const ColourScale& scale, const QString& title,
                            const std::vector<LegendLine>& legend) {
   return [scale, title, legend](QPainter& painter, const ImageTransform& /*transform*/) {
     const QRectF room(painter.viewport());
@@ -222,9 +212,7 @@ Overlay colour_bar_overlay(const ColourScale& scale,
     const double lines = line_height * static_cast<double>(legend.size());
     const double height = kHeight + 2 * metrics.height() + 2 * kGap + lines;
     const QRectF panel(room.right() - kMargin - width - number - 2 * kGap,
-                       room.bottom() - kMargin - height,
-                       width + number + 2 * kGap,
-                       height);
+                       room.bottom() - kMargin - height, width + number + 2 * kGap, height);
     painter.setPen(Qt::NoPen);
     painter.setBrush(kHalo);
     painter.drawRoundedRect(panel, 4, 4);
@@ -240,8 +228,8 @@ Overlay colour_bar_overlay(const ColourScale& scale,
       top += line_height;
     }
     painter.drawText(QPointF(panel.left() + kGap, top + metrics.ascent()), title);
-    const QRectF bar(
-        panel.left() + kGap + 0.5 * number, top + metrics.height() + 3, width, kHeight);
+    const QRectF bar(panel.left() + kGap + 0.5 * number, top + metrics.height() + 3, width,
+                     kHeight);
     QLinearGradient gradient(bar.topLeft(), bar.topRight());
     constexpr int kStops = 20;  // one of them at the zero of every scale
     for (int i = 0; i <= kStops; ++i) {

@@ -17,10 +17,7 @@
 namespace alltact {
 
 /// A line with its dark edge; `width` in logical pixels.
-void stroke_over(QPainter& painter,
-                 const QPainterPath& path,
-                 const QColor& colour,
-                 double width,
+void stroke_over(QPainter& painter, const QPainterPath& path, const QColor& colour, double width,
                  Qt::PenStyle style = Qt::SolidLine);
 
 /// Both edges of the face, broken where they are not known.
@@ -47,8 +44,7 @@ struct LegendLine {
 };
 /// The scale with its numbers, zero marked where it lies within, and above it the legend's lines;
 /// at the lower right of the view.
-[[nodiscard]] Overlay colour_bar_overlay(const ColourScale& scale,
-                                         const QString& title,
+[[nodiscard]] Overlay colour_bar_overlay(const ColourScale& scale, const QString& title,
                                          const std::vector<LegendLine>& legend = {});
 
 }  // namespace alltact

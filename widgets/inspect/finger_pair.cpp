@@ -70,10 +70,9 @@ void FingerPair::follow() {
   const auto &own = first_.recording(), &other = inspection_.recording();
   if (!is_open() || !own || !other || !first_.frame()) return;
   static const FrameTimes kNone;
-  const MatchedFrame partner = match_frame(first_.frame()->number,
-                                           own->times_ns ? *own->times_ns : kNone,
-                                           other->times_ns ? *other->times_ns : kNone,
-                                           other->count);
+  const MatchedFrame partner =
+      match_frame(first_.frame()->number, own->times_ns ? *own->times_ns : kNone,
+                  other->times_ns ? *other->times_ns : kNone, other->count);
   const bool is_new = partner.number != partner_.number;
   partner_ = partner;
   if (is_new) inspection_.show_frame(partner.number);
@@ -247,8 +246,8 @@ QString PairBox::gap_text() const {
     return QLocale().toString(std::round(value * unit) / unit + 0.0, 'f', digits);
   };
   return tr("<b>%1 mm</b> shortest distance between the faces, near X %2, Y %3, Z %4 mm")
-      .arg(
-          number(apart_mm, 2), number(middle.x(), 1), number(middle.y(), 1), number(middle.z(), 1));
+      .arg(number(apart_mm, 2), number(middle.x(), 1), number(middle.y(), 1),
+           number(middle.z(), 1));
 }
 
 SecondFingerDialog::SecondFingerDialog(const std::optional<SecondFinger>& now, QWidget* parent)
@@ -290,15 +289,12 @@ SecondFingerDialog::SecondFingerDialog(const std::optional<SecondFinger>& now, Q
   }
   for (QLineEdit* line : {finger_, recording_})
     connect(line, &QLineEdit::textChanged, this, &SecondFingerDialog::show_missing);
-  connect(choose_finger_, &QPushButton::clicked, this, [this] {
-    choose(finger_, true, tr("The second finger's folder"));
-  });
-  connect(choose_video_, &QPushButton::clicked, this, [this] {
-    choose(recording_, false, tr("The second finger's video"));
-  });
-  connect(choose_folder_, &QPushButton::clicked, this, [this] {
-    choose(recording_, true, tr("Image folder of the second finger"));
-  });
+  connect(choose_finger_, &QPushButton::clicked, this,
+          [this] { choose(finger_, true, tr("The second finger's folder")); });
+  connect(choose_video_, &QPushButton::clicked, this,
+          [this] { choose(recording_, false, tr("The second finger's video")); });
+  connect(choose_folder_, &QPushButton::clicked, this,
+          [this] { choose(recording_, true, tr("Image folder of the second finger")); });
   connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
   connect(buttons_, &QDialogButtonBox::accepted, this, [this] {
     Q_EMIT chosen(
@@ -325,8 +321,8 @@ SecondFingerDialog::SecondFingerDialog(const std::optional<SecondFinger>& now, Q
 }
 
 void SecondFingerDialog::choose(QLineEdit* line, bool is_folder, const QString& title) {
-  auto* dialog = new QFileDialog(
-      this, title, line->text(), is_folder ? QString() : tr("Videos (*.mkv *.avi *.mp4)"));
+  auto* dialog = new QFileDialog(this, title, line->text(),
+                                 is_folder ? QString() : tr("Videos (*.mkv *.avi *.mp4)"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(is_folder ? QFileDialog::Directory : QFileDialog::ExistingFile);
   connect(dialog, &QFileDialog::fileSelected, line, &QLineEdit::setText);
@@ -364,8 +360,7 @@ void fill(const std::array<NumberField*, 3>& fields, const Eigen::Vector3d& valu
 
 }  // namespace
 
-GripperDialog::GripperDialog(const QString& finger,
-                             const std::optional<RigidTransform>& now,
+GripperDialog::GripperDialog(const QString& finger, const std::optional<RigidTransform>& now,
                              QWidget* parent)
     : FittedDialog(parent),
       finger_(finger),
@@ -420,10 +415,10 @@ GripperDialog::GripperDialog(const QString& finger,
     at_label_->setText(tr("&Position"));
     turn_label_->setText(tr("Ro&tation about"));
     static const std::array axes{QStringLiteral("x "), QStringLiteral("y "), QStringLiteral("z ")};
-    const std::array<QString, 3> position_names{
-        tr("Position, x"), tr("Position, y"), tr("Position, z")};
-    const std::array<QString, 3> turns{
-        tr("Rotation about x"), tr("Rotation about y"), tr("Rotation about z")};
+    const std::array<QString, 3> position_names{tr("Position, x"), tr("Position, y"),
+                                                tr("Position, z")};
+    const std::array<QString, 3> turns{tr("Rotation about x"), tr("Rotation about y"),
+                                       tr("Rotation about z")};
     for (std::size_t i = 0; i < 3; ++i) {
       at_[i]->setPrefix(axes[i]);
       at_[i]->setSuffix(tr(" mm"));

@@ -152,8 +152,7 @@ class GripperDialog : public FittedDialog {
   Q_OBJECT
  public:
   /// now: the known pose.
-  GripperDialog(const QString& finger,
-                const std::optional<RigidTransform>& now,
+  GripperDialog(const QString& finger, const std::optional<RigidTransform>& now,
                 QWidget* parent = nullptr);
   /// The pose in the fields; exactly the initial pose where no field was changed.
   [[nodiscard]] RigidTransform pose() const;

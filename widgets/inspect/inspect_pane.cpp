@@ -142,9 +142,7 @@ bool InspectPane::waits_for_other() const {
 void InspectPane::show_3d() {
   FaceScene& scene = face_->change();
   scene.set_gap(in_gripper_ ? in_gripper_->gap : std::nullopt);
-  show_in(scene,
-          *frame_,
-          content_,
+  show_in(scene, *frame_, content_,
           in_gripper_ ? std::optional(OtherInGripper{in_gripper_->second, in_gripper_->poses})
                       : std::nullopt);
   scene.set_marks(marks_of(*frame_, options_));
@@ -176,8 +174,7 @@ void InspectPane::show_map() {
     overlays.push_back(
         points_overlay(pixel_of(*frame_, options_.a), pixel_of(*frame_, options_.b)));
     overlays.push_back(
-        colour_bar_overlay(scale,
-                           is_difference ? tr("Difference, mm") : tr("Depth, mm"),
+        colour_bar_overlay(scale, is_difference ? tr("Difference, mm") : tr("Depth, mm"),
                            limits.empty() ? std::vector<LegendLine>() : limits_legend(limits)));
   }
   if (!result.depth && result.edges) overlays.push_back(edges_overlay(*result.edges));
@@ -222,8 +219,7 @@ namespace {
 constexpr double kTurn_deg = 5, kShift_part = 0.05, kCloser = 1.1;
 
 cv::Vec3b colour_of(const QColor& colour) {
-  return {static_cast<std::uint8_t>(colour.red()),
-          static_cast<std::uint8_t>(colour.green()),
+  return {static_cast<std::uint8_t>(colour.red()), static_cast<std::uint8_t>(colour.green()),
           static_cast<std::uint8_t>(colour.blue())};
 }
 
@@ -367,9 +363,8 @@ void FacePane::mouseReleaseEvent(QMouseEvent* event) {
   if (!is_click || event->button() == Qt::MiddleButton) return;
   const auto pixel = pixel_at(event->position());
   if (!pixel) return;
-  Q_EMIT clicked(
-      *pixel,
-      event->button() == Qt::RightButton || event->modifiers().testFlag(Qt::ControlModifier));
+  Q_EMIT clicked(*pixel, event->button() == Qt::RightButton ||
+                             event->modifiers().testFlag(Qt::ControlModifier));
 }
 
 namespace {
@@ -418,10 +413,8 @@ void draw_point(QPainter& painter, QPointF at, const QString& letter) {
     painter.drawEllipse(at, kRadius, kRadius);
   }
   const QFontMetricsF metrics(painter.font());
-  const QRectF label(at.x() + kRadius + 3,
-                     at.y() - 0.5 * metrics.height(),
-                     metrics.horizontalAdvance(letter) + 6,
-                     metrics.height());
+  const QRectF label(at.x() + kRadius + 3, at.y() - 0.5 * metrics.height(),
+                     metrics.horizontalAdvance(letter) + 6, metrics.height());
   painter.setPen(Qt::NoPen);
   painter.setBrush(kHalo);
   painter.drawRoundedRect(label, 3, 3);
@@ -478,18 +471,17 @@ std::vector<LegendLine> limits_legend(const cv::Mat& limits) {
   for (const Pattern& pattern : kPatterns) {
     int count = 0;
     for (int v = 0; v < limits.rows; ++v)
-      count += static_cast<int>(std::count_if(
-          limits.ptr<std::uint8_t>(v), limits.ptr<std::uint8_t>(v) + limits.cols, [&](auto bits) {
-            return (bits & pattern.limits) != 0;
-          }));
+      count += static_cast<int>(
+          std::count_if(limits.ptr<std::uint8_t>(v), limits.ptr<std::uint8_t>(v) + limits.cols,
+                        [&](auto bits) { return (bits & pattern.limits) != 0; }));
     if (count < kMinPixels) continue;
     QImage tile(kPeriod, kPeriod, QImage::Format_ARGB32_Premultiplied);
     tile.fill(Qt::transparent);
     for (int v = 0; v < kPeriod; ++v)
       for (int u = 0; u < kPeriod; ++u)
         if (pattern.is_drawn(u, v))
-          tile.setPixel(
-              u, v, qRgba(pattern.bgra[2], pattern.bgra[1], pattern.bgra[0], pattern.bgra[3]));
+          tile.setPixel(u, v,
+                        qRgba(pattern.bgra[2], pattern.bgra[1], pattern.bgra[0], pattern.bgra[3]));
     legend.push_back({QBrush(tile), LimitWords::of(pattern.limits)});
   }
   return legend;

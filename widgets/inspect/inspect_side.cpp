@@ -214,8 +214,8 @@ void ViewBox::add_row(QWidget* widget, QString (*text)()) {
 }
 
 QLabel* ViewBox::label_of(const QWidget* widget) const {
-  return std::find_if(
-             rows_.begin(), rows_.end(), [&](const Row& row) { return row.widget == widget; })
+  return std::find_if(rows_.begin(), rows_.end(),
+                      [&](const Row& row) { return row.widget == widget; })
       ->label;
 }
 
@@ -223,9 +223,8 @@ void ViewBox::fill_settings() {
   const QSignalBlocker quiet(setting_);
   setting_->clear();
   for (const SettingChoice& choice : setting_choices())
-    setting_->addItem(
-        choice.words,
-        QStringList{QString::fromStdString(choice.name), QString::fromStdString(choice.value)});
+    setting_->addItem(choice.words, QStringList{QString::fromStdString(choice.name),
+                                                QString::fromStdString(choice.value)});
   set_options(options_);
 }
 
@@ -243,21 +242,19 @@ void ViewBox::connect_view() {
     Q_EMIT changed(
         next, [this, index] { return tr("view from: %1").arg(standpoint_->itemText(index)); }, -1);
   });
-  const auto on_number =
-      [this](NumberField* box, double SceneOptions::*member, QString (*what)(), int merge_id) {
-        connect(box, &NumberField::valueChanged, this, [=, this](double value) {
-          InspectOptions next = options_;
-          next.scene.*member = value;
-          Q_EMIT changed(next, what, merge_id);
-        });
-      };
+  const auto on_number = [this](NumberField* box, double SceneOptions::*member, QString (*what)(),
+                                int merge_id) {
+    connect(box, &NumberField::valueChanged, this, [=, this](double value) {
+      InspectOptions next = options_;
+      next.scene.*member = value;
+      Q_EMIT changed(next, what, merge_id);
+    });
+  };
   on_number(
       top_, &SceneOptions::top_mm, [] { return tr("change the depth colours"); }, kTop);
   on_number(
-      difference_top_,
-      &SceneOptions::difference_top_mm,
-      [] { return tr("change the difference's colours"); },
-      kDifferenceTop);
+      difference_top_, &SceneOptions::difference_top_mm,
+      [] { return tr("change the difference's colours"); }, kDifferenceTop);
   on_number(
       times_, &SceneOptions::exaggeration, [] { return tr("scale the depth"); }, kTimes);
   for (const Part& part : parts_)
@@ -317,8 +314,8 @@ void ViewBox::set_frame_count(std::size_t count) {
 
 void ViewBox::set_options(const InspectOptions& options) {
   options_ = options;
-  const QSignalBlocker quiet[] = {
-      QSignalBlocker(top_), QSignalBlocker(difference_top_), QSignalBlocker(times_)};
+  const QSignalBlocker quiet[] = {QSignalBlocker(top_), QSignalBlocker(difference_top_),
+                                  QSignalBlocker(times_)};
   shown_as_->setCurrentIndex(VtkView::is_supported() ? static_cast<int>(options.shown_as) - 1 : 1);
   standpoint_->setCurrentIndex(static_cast<int>(options.viewpoint) - 1);
   comparison_->setCurrentIndex(static_cast<int>(options.shown_comparison()) - 1);

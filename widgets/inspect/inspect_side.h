@@ -30,8 +30,7 @@ class ViewBox : public Translated<QGroupBox> {
 
  Q_SIGNALS:
   /// merge_id: consecutive changes with the same id become one undo step; -1: none.
-  void changed(const alltact::InspectOptions& options,
-               const alltact::StepWords& what,
+  void changed(const alltact::InspectOptions& options, const alltact::StepWords& what,
                int merge_id);
 
  private:
@@ -77,8 +76,7 @@ class InspectSide : public Translated<QWidget> {
 
  Q_SIGNALS:
   /// As in ViewBox.
-  void changed(const alltact::InspectOptions& options,
-               const alltact::StepWords& what,
+  void changed(const alltact::InspectOptions& options, const alltact::StepWords& what,
                int merge_id);
 
  private:

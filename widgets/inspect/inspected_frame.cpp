@@ -25,9 +25,7 @@ FrameSummary summary_of(const MeasuredFrame& frame) {
   return summary;
 }
 
-cv::Point2d nearest_pixel(cv::Point2d pixel) {
-  return {std::round(pixel.x), std::round(pixel.y)};
-}
+cv::Point2d nearest_pixel(cv::Point2d pixel) { return {std::round(pixel.x), std::round(pixel.y)}; }
 
 std::optional<cv::Point2d> pixel_of(const InspectedFrame& frame,
                                     const std::optional<FacePosition>& position) {
@@ -45,8 +43,7 @@ std::optional<FacePosition> position_of(const InspectedFrame& frame, cv::Point2d
   return FacePosition{position_mm.x(), position_mm.y()};
 }
 
-std::optional<Profile> other_profile(const InspectedFrame& frame,
-                                     const FacePosition& a,
+std::optional<Profile> other_profile(const InspectedFrame& frame, const FacePosition& a,
                                      const FacePosition& b) {
   if (!frame.other || !frame.other->shape || !frame.other->depth) return std::nullopt;
   const auto from = pixel_of_position(*frame.other->shape, {a.along_mm, a.across_mm});
@@ -55,9 +52,7 @@ std::optional<Profile> other_profile(const InspectedFrame& frame,
   return profile_between(*frame.other, frame.face, {}, {from->x(), from->y()}, {to->x(), to->y()});
 }
 
-void show_in(FaceScene& scene,
-             const InspectedFrame& frame,
-             PaneContent content,
+void show_in(FaceScene& scene, const InspectedFrame& frame, PaneContent content,
              const std::optional<OtherInGripper>& other) {
   const bool has_other = frame.other_surface.has_value();
   if (frame.bare)

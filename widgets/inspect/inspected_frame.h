@@ -91,8 +91,7 @@ struct FrameSummary {
 /// Profile between both positions in the compared measurement; nullopt where there is none, or it
 /// does not show them.
 [[nodiscard]] std::optional<Profile> other_profile(const InspectedFrame& frame,
-                                                   const FacePosition& a,
-                                                   const FacePosition& b);
+                                                   const FacePosition& a, const FacePosition& b);
 
 /// The pixel with the nearest centre.
 [[nodiscard]] cv::Point2d nearest_pixel(cv::Point2d pixel);
@@ -107,9 +106,7 @@ struct OtherInGripper {
 
 /// The frame has a surface, or a bare one. Without a compared surface, kSecond and kDifference are
 /// shown as kFirst.
-void show_in(FaceScene& scene,
-             const InspectedFrame& frame,
-             PaneContent content,
+void show_in(FaceScene& scene, const InspectedFrame& frame, PaneContent content,
              const std::optional<OtherInGripper>& other);
 
 /// The points, and the path over the face between them.

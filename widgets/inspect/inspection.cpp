@@ -61,8 +61,8 @@ struct Inspection::Shared {
       more.is_from_scratch = more.is_from_scratch || (summaries && summaries->is_from_scratch);
       summaries = std::move(more);
     } else {
-      summaries->summaries.insert(
-          summaries->summaries.end(), more.summaries.begin(), more.summaries.end());
+      summaries->summaries.insert(summaries->summaries.end(), more.summaries.begin(),
+                                  more.summaries.end());
     }
     return !is_notified;
   }
@@ -217,12 +217,11 @@ InspectAnswer Inspector::operator()(const InspectRequest& request, const Job& jo
   return answer;
 }
 
-Result<MeasuredFrame> Inspector::measured(const InspectRequest& request,
-                                          const Job& job,
+Result<MeasuredFrame> Inspector::measured(const InspectRequest& request, const Job& job,
                                           std::optional<RecordingInfo>& recording) {
   if (request.live)
-    return measurer_.complete(
-        request.live->result, *request.live_finger, request.finger, request.other, job);
+    return measurer_.complete(request.live->result, *request.live_finger, request.finger,
+                              request.other, job);
   if (const Status status = measurer_.open_recording(request.input, job); !status)
     return status.error();
   recording = measurer_.recording();
@@ -264,9 +263,7 @@ bool Inspector::scan_next(const Job& job) {
   return true;
 }
 
-Inspector::SummaryUpdate Inspector::update() {
-  return std::exchange(update_, {});
-}
+Inspector::SummaryUpdate Inspector::update() { return std::exchange(update_, {}); }
 
 std::shared_ptr<const InspectedFrame> Inspector::with_surfaces(MeasuredFrame measured) {
   auto shown = std::make_shared<InspectedFrame>();

@@ -100,8 +100,7 @@ class Inspector {
 
  private:
   void note(const MeasuredFrame& frame);
-  Result<MeasuredFrame> measured(const InspectRequest& request,
-                                 const Job& job,
+  Result<MeasuredFrame> measured(const InspectRequest& request, const Job& job,
                                  std::optional<RecordingInfo>& recording);
   std::shared_ptr<const InspectedFrame> with_surfaces(MeasuredFrame measured);
 

@@ -81,9 +81,8 @@ void PointsBox::connect_points() {
   int id = kPointA;
   for (const Point& point : points_)
     for (const std::size_t part : {0U, 1U}) {
-      connect(point.boxes[part], &NumberField::valueChanged, this, [this, point, part, id] {
-        change_coordinate(point, part, id);
-      });
+      connect(point.boxes[part], &NumberField::valueChanged, this,
+              [this, point, part, id] { change_coordinate(point, part, id); });
       ++id;
     }
   connect(deepest_, &QPushButton::clicked, this, [this] {
@@ -261,8 +260,7 @@ struct ReadingWords {
                                      (is_known ? frame.limits.at<std::uint8_t>(v, u) : 0));
   }
 
-  static QString position(const InspectedFrame& frame,
-                          const QString& name,
+  static QString position(const InspectedFrame& frame, const QString& name,
                           const FacePosition& at_mm) {
     const auto pixel = pixel_of(frame, at_mm);
     const auto found =
@@ -274,8 +272,7 @@ struct ReadingWords {
            QStringLiteral("<br>") + depth(frame, *found);
   }
 
-  static QString apart(const InspectedFrame& frame,
-                       const FacePosition& from,
+  static QString apart(const InspectedFrame& frame, const FacePosition& from,
                        const FacePosition& to) {
     const auto a = pixel_of(frame, from), b = pixel_of(frame, to);
     if (!a || !b) return {};
@@ -315,8 +312,7 @@ struct ReadingWords {
 
 }  // namespace
 
-QString reading_text(const InspectedFrame& frame,
-                     const std::optional<FacePosition>& a,
+QString reading_text(const InspectedFrame& frame, const std::optional<FacePosition>& a,
                      const std::optional<FacePosition>& b) {
   QStringList parts;
   if (a) parts << ReadingWords::position(frame, QStringLiteral("A"), *a);
@@ -382,12 +378,10 @@ SurfaceBox::SurfaceBox(QWidget* parent)
   buttons->addWidget(copy_text_);
   buttons->addWidget(copy_);
   column->addLayout(buttons);
-  connect(copy_text_, &QPushButton::clicked, this, [this] {
-    QGuiApplication::clipboard()->setText(text_of(readings_));
-  });
-  connect(copy_, &QPushButton::clicked, this, [this] {
-    QGuiApplication::clipboard()->setText(csv_of(readings_));
-  });
+  connect(copy_text_, &QPushButton::clicked, this,
+          [this] { QGuiApplication::clipboard()->setText(text_of(readings_)); });
+  connect(copy_, &QPushButton::clicked, this,
+          [this] { QGuiApplication::clipboard()->setText(csv_of(readings_)); });
   say([this] {
     setTitle(tr("Between A and B"));
     hint_->setText(
@@ -447,10 +441,7 @@ struct SurfaceWords {
 };
 
 template <class T>
-SurfaceReading reading(QString name,
-                       const char* unit,
-                       int decimals,
-                       const Result<T>& found,
+SurfaceReading reading(QString name, const char* unit, int decimals, const Result<T>& found,
                        const MeasuredValue T::*member) {
   SurfaceReading reading{std::move(name), QString::fromUtf8(unit), {}, decimals, {}};
   if (found)
@@ -474,8 +465,7 @@ cv::Rect around(cv::Point2d at) {
 
 }  // namespace
 
-std::vector<SurfaceReading> surface_readings(const InspectedFrame& frame,
-                                             cv::Point2d a,
+std::vector<SurfaceReading> surface_readings(const InspectedFrame& frame, cv::Point2d a,
                                              cv::Point2d b) {
   if (!frame.result.depth || !frame.mapping) return {};
   const auto patch = [&](const cv::Rect& box) {
@@ -578,9 +568,7 @@ QString SectionPlot::csv() const {
   return text;
 }
 
-QString SectionPlot::empty_text() const {
-  return tr("Choose two points, A and B");
-}
+QString SectionPlot::empty_text() const { return tr("Choose two points, A and B"); }
 
 bool SectionPlot::draw() {
   if (profile_.along_mm.size() < 2) return false;

@@ -33,8 +33,7 @@ class PointsBox : public Translated<QGroupBox> {
 
  Q_SIGNALS:
   /// As in ViewBox.
-  void changed(const alltact::InspectOptions& options,
-               const alltact::StepWords& what,
+  void changed(const alltact::InspectOptions& options, const alltact::StepWords& what,
                int merge_id);
 
  private:
@@ -92,8 +91,7 @@ struct SurfaceReading {
 /// area, volume, mean depth and roughness; the step along the line from A to B; the angle between
 /// the surfaces 13 pixels wide around A and B. Empty for a frame without depth.
 [[nodiscard]] std::vector<SurfaceReading> surface_readings(const InspectedFrame& frame,
-                                                           cv::Point2d a,
-                                                           cv::Point2d b);
+                                                           cv::Point2d a, cv::Point2d b);
 
 /// "4.02 ± 0.03 mm"; a dash where nothing was measured.
 [[nodiscard]] QString value_text(const SurfaceReading& reading);
@@ -114,8 +112,7 @@ class SurfaceBox : public Translated<QGroupBox> {
 
   /// Null, or without both points: nothing.
   void show_readings(const std::shared_ptr<const InspectedFrame>& frame,
-                     const std::optional<cv::Point2d>& a,
-                     const std::optional<cv::Point2d>& b);
+                     const std::optional<cv::Point2d>& a, const std::optional<cv::Point2d>& b);
 
  private:
   void fill();

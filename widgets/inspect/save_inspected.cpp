@@ -73,11 +73,10 @@ class SecondFilm {
       recording_ = begin.recording;
     }
     static const FrameTimes kNone;
-    request_.number = match_frame(number,
-                                  first.times_ns ? *first.times_ns : kNone,
-                                  recording_->times_ns ? *recording_->times_ns : kNone,
-                                  recording_->count)
-                          .number;
+    request_.number =
+        match_frame(number, first.times_ns ? *first.times_ns : kNone,
+                    recording_->times_ns ? *recording_->times_ns : kNone, recording_->count)
+            .number;
     return inspector_(request_, job).frame;
   }
 
@@ -143,9 +142,7 @@ std::size_t FilmQueue::left_out() const {
   return left_out_;
 }
 
-Status save_live_film(FilmQueue& queue,
-                      const FilmView& view,
-                      const std::filesystem::path& file,
+Status save_live_film(FilmQueue& queue, const FilmView& view, const std::filesystem::path& file,
                       const Job& job) {
   constexpr double kFramesPerS = 30;  // for frames without times
   FilmWriter writer(file, view);
@@ -212,11 +209,8 @@ cv::Mat FilmRenderer::operator()(const FilmMoment& moment) {
     view_pose_ = moment.view_pose;
     for (OffscreenScene& pane : panes_) pane.scene().set_view_pose(*view_pose_);
   }
-  const auto draw = [&](OffscreenScene& pane,
-                        const InspectedFrame& frame,
-                        PaneContent content,
-                        bool has_marks,
-                        const std::optional<OtherInGripper>& other) {
+  const auto draw = [&](OffscreenScene& pane, const InspectedFrame& frame, PaneContent content,
+                        bool has_marks, const std::optional<OtherInGripper>& other) {
     show_in(pane.scene(), frame, content, other);
     pane.scene().set_gap(other ? moment.gap : std::nullopt);
     pane.scene().set_marks(has_marks ? marks_of(frame, view_.options) : SceneMarks());
@@ -232,10 +226,8 @@ cv::Mat FilmRenderer::operator()(const FilmMoment& moment) {
     return both;
   }
   const bool is_difference = view_.options.shown_comparison() == Comparison::kDifference;
-  return draw(panes_[0],
-              *moment.first,
-              is_difference ? PaneContent::kDifference : PaneContent::kFirst,
-              true,
+  return draw(panes_[0], *moment.first,
+              is_difference ? PaneContent::kDifference : PaneContent::kFirst, true,
               moment.second && moment.poses
                   ? std::optional(OtherInGripper{moment.second, *moment.poses})
                   : std::nullopt);
@@ -263,8 +255,7 @@ Status FilmWriter::finish() {
   return writer_->finish();
 }
 
-Status save_paper_figure(const FilmMoment& moment,
-                         FilmView view,
+Status save_paper_figure(const FilmMoment& moment, FilmView view,
                          const std::filesystem::path& file) {
   if (!moment.has_face())
     return Error{en::say("there is no face to save"), file.string(), en::say("another frame")};
@@ -279,16 +270,15 @@ Status save_paper_figure(const FilmMoment& moment,
 }
 
 Status write_paper_figure(const std::filesystem::path& file, const cv::Mat& bgr) {
-  QImage image(
-      bgr.data, bgr.cols, bgr.rows, static_cast<qsizetype>(bgr.step), QImage::Format_BGR888);
+  QImage image(bgr.data, bgr.cols, bgr.rows, static_cast<qsizetype>(bgr.step),
+               QImage::Format_BGR888);
   constexpr double kMetresPerInch = 0.0254;
   const int per_metre = static_cast<int>(std::lround(kPaperDotsPerInch / kMetresPerInch));
   image.setDotsPerMeterX(per_metre);
   image.setDotsPerMeterY(per_metre);
   return write_file_atomically(file, [&](const std::filesystem::path& temporary) -> Status {
     if (image.save(QString::fromStdString(temporary.string()), "PNG")) return {};
-    return Error{en::say("the image cannot be written"),
-                 file.string(),
+    return Error{en::say("the image cannot be written"), file.string(),
                  en::say("another folder, or freeing some space")};
   });
 }
@@ -306,20 +296,14 @@ SaveBar::SaveBar(QWidget* parent)
   kind_->setMinimumWidth(52);  // px, for small windows
   for (QWidget* widget : std::initializer_list<QWidget*>{progress_, stop_, kind_, save_})
     row->addWidget(widget, widget == kind_ ? 1 : 0);
-  connect(save_, &QPushButton::clicked, this, [this] {
-    Q_EMIT save_requested(kind_->currentData().toString());
-  });
+  connect(save_, &QPushButton::clicked, this,
+          [this] { Q_EMIT save_requested(kind_->currentData().toString()); });
   connect(stop_, &QPushButton::clicked, this, &SaveBar::stop_requested);
   say([this] {
-    const std::array<QString, kSaveFormats.size()> kinds{tr("Mesh, PLY"),
-                                                         tr("Mesh, VTP (VTK)"),
-                                                         tr("Mesh, STL"),
-                                                         tr("Mesh, glTF"),
-                                                         tr("Image, PNG (300 dpi)"),
-                                                         tr("Cross-section, PDF"),
-                                                         tr("Cross-section, SVG"),
-                                                         tr("Cross-section, CSV"),
-                                                         tr("Video in 3D, MKV")};
+    const std::array<QString, kSaveFormats.size()> kinds{
+        tr("Mesh, PLY"),          tr("Mesh, VTP (VTK)"),      tr("Mesh, STL"),
+        tr("Mesh, glTF"),         tr("Image, PNG (300 dpi)"), tr("Cross-section, PDF"),
+        tr("Cross-section, SVG"), tr("Cross-section, CSV"),   tr("Video in 3D, MKV")};
     for (std::size_t i = 0; i < kinds.size(); ++i)
       kind_->setItemText(static_cast<int>(i), kinds[i]);
     kind_->setAccessibleName(tr("Content to save"));

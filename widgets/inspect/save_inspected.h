@@ -84,8 +84,7 @@ class FilmWriter {
 
 /// Figure for a paper: PNG, 300 dots per inch, 17 cm wide, in the aspect ratio of the view, on
 /// white. Errors: no face, no OpenGL, not writable.
-[[nodiscard]] Status save_paper_figure(const FilmMoment& moment,
-                                       FilmView view,
+[[nodiscard]] Status save_paper_figure(const FilmMoment& moment, FilmView view,
                                        const std::filesystem::path& file);
 inline constexpr double kPaperDotsPerInch = 300, kPaperWidth_px = 2008;
 
@@ -119,8 +118,7 @@ struct FilmOptions {
 /// A 3D video (Matroska, Motion JPEG) of the full recording at its frame rate; needs no display.
 /// Frames without a face are skipped. A stopped file is valid up to that frame. Errors: no OpenGL,
 /// no frame with a face, those of reading and writing.
-[[nodiscard]] Status save_film(const FilmOptions& options,
-                               const std::filesystem::path& file,
+[[nodiscard]] Status save_film(const FilmOptions& options, const std::filesystem::path& file,
                                const Job& job);
 
 /// Queue of live moments for a film. When it is full, the oldest is dropped and counted.
@@ -140,16 +138,14 @@ class FilmQueue {
 };
 
 /// A video of the queue's moments until it is stopped. Errors: as save_film().
-[[nodiscard]] Status save_live_film(FilmQueue& queue,
-                                    const FilmView& view,
-                                    const std::filesystem::path& file,
-                                    const Job& job);
+[[nodiscard]] Status save_live_film(FilmQueue& queue, const FilmView& view,
+                                    const std::filesystem::path& file, const Job& job);
 
 // Choice of a file format, and the progress of saving.
 
 /// File endings of all formats.
-inline constexpr std::array<const char*, 9> kSaveFormats{
-    "ply", "vtp", "stl", "glb", "png", "pdf", "svg", "csv", "mkv"};
+inline constexpr std::array<const char*, 9> kSaveFormats{"ply", "vtp", "stl", "glb", "png",
+                                                         "pdf", "svg", "csv", "mkv"};
 
 struct CanSave {
   bool surface = false;  ///< PLY, VTP, STL, glTF

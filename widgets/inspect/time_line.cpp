@@ -47,9 +47,8 @@ TimeLine::TimeLine(QWidget* parent)
   connect(&timer_, &QTimer::timeout, this, &TimeLine::go_on);
   connect(earlier_, &QToolButton::clicked, this, [this] { go_to_event(false); });
   connect(later_, &QToolButton::clicked, this, [this] { go_to_event(true); });
-  connect(strip_, &EventStrip::frame_requested, this, [this](std::size_t number) {
-    request(static_cast<int>(number));
-  });
+  connect(strip_, &EventStrip::frame_requested, this,
+          [this](std::size_t number) { request(static_cast<int>(number)); });
   say([this] {
     slider_->setAccessibleName(tr("Frame of the recording"));
     number_->setAccessibleName(tr("Current frame"));
@@ -148,9 +147,7 @@ namespace {
 
 constexpr int kMarks = 8;  // px, height of the problems' marks above the plots
 
-int lane_height(const QFontMetrics& metrics) {
-  return metrics.lineSpacing() + 8;
-}
+int lane_height(const QFontMetrics& metrics) { return metrics.lineSpacing() + 8; }
 
 }  // namespace
 
@@ -221,9 +218,7 @@ QString EventStrip::description() const {
   return joined(parts);
 }
 
-void EventStrip::describe() {
-  set_accessible_description(*this, description());
-}
+void EventStrip::describe() { set_accessible_description(*this, description()); }
 
 std::vector<EventStrip::Lane> EventStrip::lanes() const {
   std::vector<Lane> all{{[] { return tr("Depth, mm"); }, &FrameSummary::deepest_mm},
@@ -293,9 +288,7 @@ void EventStrip::paint_events(QPainter& painter) const {
   }
 }
 
-void EventStrip::paint_lane(QPainter& painter,
-                            const Lane& lane,
-                            const QRect& room,
+void EventStrip::paint_lane(QPainter& painter, const Lane& lane, const QRect& room,
                             int colour) const {
   const QRect words(2, room.top(), room.left() - 6, room.height());
   painter.setPen(palette().color(QPalette::WindowText));
@@ -338,8 +331,7 @@ void EventStrip::paintEvent(QPaintEvent*) {
   const QRect room = plots();
   if (all.empty()) {
     painter.setPen(palette().color(QPalette::PlaceholderText));
-    painter.drawText(rect(),
-                     Qt::AlignLeft | Qt::AlignVCenter,
+    painter.drawText(rect(), Qt::AlignLeft | Qt::AlignVCenter,
                      known_ > 0 ? tr("Depth over time needs a calibration.")
                                 : tr("The recording is being analysed."));
     return;
@@ -347,8 +339,7 @@ void EventStrip::paintEvent(QPaintEvent*) {
   paint_events(painter);
   const int height = lane_height(fontMetrics());
   for (std::size_t i = 0; i < all.size(); ++i)
-    paint_lane(painter,
-               all[i],
+    paint_lane(painter, all[i],
                QRect(room.left(), room.top() + static_cast<int>(i) * height, room.width(), height)
                    .adjusted(0, 2, 0, -1),
                static_cast<int>(i));

@@ -174,17 +174,13 @@ std::optional<std::array<std::size_t, 2>> OpenGripper::order_of(
   return std::nullopt;
 }
 
-Result<PairReading> read_pair(const OpenGripper& gripper,
-                              double motor_turns,
-                              const ViewPair& pair,
+Result<PairReading> read_pair(const OpenGripper& gripper, double motor_turns, const ViewPair& pair,
                               const std::array<PairedFinger, 2>& fingers) {
   const auto order = gripper.order_of({fingers[0].folder, fingers[1].folder});
   if (!order)
     return Error{en::say("the gripper's fingers are {} and {}, and others are open",
-                         gripper.folders[0].string(),
-                         gripper.folders[1].string()),
-                 "",
-                 en::say("opening these two fingers")};
+                         gripper.folders[0].string(), gripper.folders[1].string()),
+                 "", en::say("opening these two fingers")};
   const auto pose = gripper.gripper.pose_at(motor_turns);
   if (!pose) return pose.error();
   PairReading reading{pair, motor_turns, {}, {}};
@@ -198,14 +194,12 @@ Result<PairReading> read_pair(const OpenGripper& gripper,
     reading.gap =
         face_gap(*pose, {gap_face(*results[0], *faces[0]), gap_face(*results[1], *faces[1])});
   if (!results[0]->regions.empty() && !results[1]->regions.empty())
-    reading.width = held_width(*pose,
-                               {observed_contact(results[0]->regions.front()),
-                                observed_contact(results[1]->regions.front())});
+    reading.width = held_width(*pose, {observed_contact(results[0]->regions.front()),
+                                       observed_contact(results[1]->regions.front())});
   return reading;
 }
 
-std::optional<ViewPair> ViewPairing::add(std::size_t which,
-                                         std::shared_ptr<const LiveView> view,
+std::optional<ViewPair> ViewPairing::add(std::size_t which, std::shared_ptr<const LiveView> view,
                                          std::optional<std::int64_t> time_ns) {
   auto &own = views_[which], &other = views_[1 - which];
   if (!own.empty() && time_ns && own.back().time_ns && *time_ns < *own.back().time_ns)
@@ -261,9 +255,7 @@ double ViewPairing::tolerance_ns() const {
   return 0.5e6 * std::max(period_ms_[0].value_or(0.0), period_ms_[1].value_or(0.0));
 }
 
-std::optional<double> ViewPairing::period_ms(std::size_t which) const {
-  return period_ms_[which];
-}
+std::optional<double> ViewPairing::period_ms(std::size_t which) const { return period_ms_[which]; }
 
 QString finger_name(const FingerStatus& finger) {
   return QString::fromStdString(finger.finger ? finger.finger->name
@@ -392,8 +384,7 @@ QString path_text(const std::filesystem::path& path) {
 }  // namespace
 
 SecondCameraDialog::SecondCameraDialog(const std::optional<SecondCamera>& now,
-                                       const QStringList& cameras,
-                                       QWidget* parent)
+                                       const QStringList& cameras, QWidget* parent)
     : FittedDialog(parent),
       now_(now),
       intro_(new QLabel),
@@ -444,18 +435,14 @@ SecondCameraDialog::SecondCameraDialog(const std::optional<SecondCamera>& now,
   }
   connect(finger_, &QLineEdit::textChanged, this, &SecondCameraDialog::show_missing);
   connect(source_, &QComboBox::editTextChanged, this, &SecondCameraDialog::show_missing);
-  connect(choose_finger_, &QPushButton::clicked, this, [this] {
-    choose(finger_, true, tr("The second finger's folder"), {});
-  });
+  connect(choose_finger_, &QPushButton::clicked, this,
+          [this] { choose(finger_, true, tr("The second finger's folder"), {}); });
   connect(choose_source_, &QPushButton::clicked, this, [this] {
-    choose(source_,
-           false,
-           tr("Source of the second finger"),
+    choose(source_, false, tr("Source of the second finger"),
            tr("Videos and scenes (*.mkv *.avi *.mp4 *.yaml *.yml)"));
   });
-  connect(choose_gripper_, &QPushButton::clicked, this, [this] {
-    choose(gripper_, false, tr("The gripper's file"), tr("Grippers (*.yaml)"));
-  });
+  connect(choose_gripper_, &QPushButton::clicked, this,
+          [this] { choose(gripper_, false, tr("The gripper's file"), tr("Grippers (*.yaml)")); });
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   connect(buttons, &QDialogButtonBox::accepted, this, [this] {
     Q_EMIT chosen(entered());
@@ -488,9 +475,7 @@ void SecondCameraDialog::name_parts() {
   show_missing();
 }
 
-void SecondCameraDialog::choose(QWidget* line,
-                                bool is_folder,
-                                const QString& title,
+void SecondCameraDialog::choose(QWidget* line, bool is_folder, const QString& title,
                                 const QString& filter) {
   auto* dialog = new QFileDialog(this, title, {}, filter);
   dialog->setAttribute(Qt::WA_DeleteOnClose);

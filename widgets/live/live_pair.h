@@ -48,8 +48,7 @@ class ViewPairing {
 
   /// which: 0 or 1. time_ns: of capture, of one clock for both; empty: not known.
   /// Returns the pair to be shown from now on; nullopt: the last one stays.
-  [[nodiscard]] std::optional<ViewPair> add(std::size_t which,
-                                            std::shared_ptr<const LiveView> view,
+  [[nodiscard]] std::optional<ViewPair> add(std::size_t which, std::shared_ptr<const LiveView> view,
                                             std::optional<std::int64_t> time_ns);
   void forget() { *this = ViewPairing(); }
   /// Measured frame period of this camera; empty before its second frame.
@@ -98,8 +97,7 @@ struct PairedFinger {
 
 /// Errors: the fingers are not the gripper's; those of Gripper::pose_at. Takes tens of
 /// milliseconds: not for the window's thread.
-[[nodiscard]] Result<PairReading> read_pair(const OpenGripper& gripper,
-                                            double motor_turns,
+[[nodiscard]] Result<PairReading> read_pair(const OpenGripper& gripper, double motor_turns,
                                             const ViewPair& pair,
                                             const std::array<PairedFinger, 2>& fingers);
 
@@ -200,8 +198,7 @@ class SecondCameraDialog : public FittedDialog {
   Q_OBJECT
  public:
   /// cameras: identifiers that open them.
-  SecondCameraDialog(const std::optional<SecondCamera>& now,
-                     const QStringList& cameras,
+  SecondCameraDialog(const std::optional<SecondCamera>& now, const QStringList& cameras,
                      QWidget* parent = nullptr);
 
  Q_SIGNALS:

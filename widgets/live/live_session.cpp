@@ -15,15 +15,9 @@ constexpr std::size_t kMaxAges = 1000;
 constexpr double kNewShare = 0.2;  // weight of a frame in the smoothed times
 
 void smooth(StepTimes& shown, const StepTimes& next) {
-  for (const auto step : {&StepTimes::prepare,
-                          &StepTimes::edges,
-                          &StepTimes::global,
-                          &StepTimes::markers,
-                          &StepTimes::reference,
-                          &StepTimes::local,
-                          &StepTimes::contact,
-                          &StepTimes::force,
-                          &StepTimes::total})
+  for (const auto step : {&StepTimes::prepare, &StepTimes::edges, &StepTimes::global,
+                          &StepTimes::markers, &StepTimes::reference, &StepTimes::local,
+                          &StepTimes::contact, &StepTimes::force, &StepTimes::total})
     shown.*step += kNewShare * (next.*step - shown.*step);
 }
 

@@ -62,9 +62,8 @@ bool TouchHistory::has_slipped(const Contact& contact) const {
 }
 
 bool TouchHistory::has_forces() const {
-  return std::any_of(forces_.begin(), forces_.end(), [](const auto& reading) {
-    return reading.force.has_value();
-  });
+  return std::any_of(forces_.begin(), forces_.end(),
+                     [](const auto& reading) { return reading.force.has_value(); });
 }
 
 std::optional<ForceZero> present_zero(const TouchHistory& history) {
@@ -145,20 +144,20 @@ struct ContactWords {
       rows += row(tr("Along"), millimetres(at.along_mm, at.along_sd_mm, 2));
       if (at.across_mm) rows += row(tr("Across"), millimetres(*at.across_mm, at.across_sd_mm, 2));
       if (at.depth_mm)
-        rows += row(tr("Depth"),
-                    (at.limits & kLayerLimit) != 0
-                        ? tr("%1 mm").arg(limit_and_sd(*at.depth_mm, at.depth_sd_mm, 2))
-                        : millimetres(*at.depth_mm, at.depth_sd_mm, 2));
+        rows +=
+            row(tr("Depth"), (at.limits & kLayerLimit) != 0
+                                 ? tr("%1 mm").arg(limit_and_sd(*at.depth_mm, at.depth_sd_mm, 2))
+                                 : millimetres(*at.depth_mm, at.depth_sd_mm, 2));
     }
     if (!contact.direction) return rows;
     const Eigen::Vector3d& direction = *contact.direction;
     const QString turned = contact.direction_sd_deg
                                ? tr("± %1°").arg(sd_number(*contact.direction_sd_deg, 1))
                                : tr("(normal to the face)");
-    const QString components = tr("x %1, y %2, z %3")
-                                   .arg(plain_number(direction.x(), 2),
-                                        plain_number(direction.y(), 2),
-                                        plain_number(direction.z(), 2));
+    const QString components =
+        tr("x %1, y %2, z %3")
+            .arg(plain_number(direction.x(), 2), plain_number(direction.y(), 2),
+                 plain_number(direction.z(), 2));
     return rows + row(tr("Direction"), components + QStringLiteral(" ") + turned);
   }
 
@@ -207,8 +206,8 @@ struct ContactWords {
     if (result.contact) parts << face_text(result.contact->face);
     if (result.force && result.force->in_range) {
       const Force& force = *result.force;
-      const std::array names{
-          QStringLiteral("Fx %1"), QStringLiteral("Fy %1"), QStringLiteral("Fz %1")};
+      const std::array names{QStringLiteral("Fx %1"), QStringLiteral("Fy %1"),
+                             QStringLiteral("Fz %1")};
       for (Eigen::Index axis = 0; axis < force.axes; ++axis)
         parts << names[static_cast<std::size_t>(axis)].arg(
             tr("%1 N").arg(number_and_sd(force.force_N[axis], force.half_95_N[axis], 2)));
@@ -231,13 +230,9 @@ QString contact_words(const FrameResult& result, const TouchHistory* history) {
                         : ContactWords::free(result, history);
 }
 
-QString brief_contact_words(const FrameResult& result) {
-  return ContactWords::brief(result);
-}
+QString brief_contact_words(const FrameResult& result) { return ContactWords::brief(result); }
 
-QString contact_words_help() {
-  return ContactWords::help();
-}
+QString contact_words_help() { return ContactWords::help(); }
 
 namespace {
 
@@ -267,8 +262,6 @@ struct ForceWords {
 
 }  // namespace
 
-QString no_force_reason(const FingerStatus& finger) {
-  return ForceWords::why_none(finger);
-}
+QString no_force_reason(const FingerStatus& finger) { return ForceWords::why_none(finger); }
 
 }  // namespace alltact

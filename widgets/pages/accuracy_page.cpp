@@ -42,9 +42,7 @@ void enlarge(QWidget& widget, double times) {
 
 }  // namespace
 
-AccuracyPage::AccuracyPage(LiveSession& session,
-                           QUndoStack& undo,
-                           std::string program_version,
+AccuracyPage::AccuracyPage(LiveSession& session, QUndoStack& undo, std::string program_version,
                            QWidget* parent)
     : Page("accuracy", parent),
       session_(session),
@@ -144,10 +142,8 @@ QLayout* AccuracyPage::make_questions() {
   error_->set_shown_decimals(3);
   error_->setSingleStep(kErrorStepMm);
   error_label_->setBuddy(error_);
-  for (QWidget* widget : {static_cast<QWidget*>(rate_label_),
-                          static_cast<QWidget*>(rate_),
-                          static_cast<QWidget*>(error_label_),
-                          static_cast<QWidget*>(error_)}) {
+  for (QWidget* widget : {static_cast<QWidget*>(rate_label_), static_cast<QWidget*>(rate_),
+                          static_cast<QWidget*>(error_label_), static_cast<QWidget*>(error_)}) {
     line->addWidget(widget);
     if (widget == rate_) line->addSpacing(20);
   }
@@ -181,9 +177,8 @@ void AccuracyPage::connect_parts() {
   connect(&session_, &LiveSession::status_ready, this, &AccuracyPage::follow);
   connect(&run_, &FingerStudyRun::changed, this, &AccuracyPage::show_run);
   connect(rate_, &QComboBox::currentTextChanged, this, &AccuracyPage::update_question);
-  connect(rate_->lineEdit(), &QLineEdit::editingFinished, this, [this] {
-    finished_rate_ = question_.frames_per_s;
-  });
+  connect(rate_->lineEdit(), &QLineEdit::editingFinished, this,
+          [this] { finished_rate_ = question_.frames_per_s; });
   connect(error_, &NumberField::valueChanged, this, &AccuracyPage::update_question);
   connect(plot_, &AccuracyPlot::point_picked, this, &AccuracyPage::pick);
   connect(table_, &AccuracyTable::point_picked, this, &AccuracyPage::pick);
@@ -199,9 +194,8 @@ void AccuracyPage::connect_parts() {
     run_.start(is_good && study->has_all_single ? StudyExtent::kPairs : StudyExtent::kQuick);
   });
   connect(stop_, &QPushButton::clicked, this, [this] { run_.stop(); });
-  connect(copy_, &QPushButton::clicked, this, [this] {
-    QGuiApplication::clipboard()->setText(command_line());
-  });
+  connect(copy_, &QPushButton::clicked, this,
+          [this] { QGuiApplication::clipboard()->setText(command_line()); });
 }
 
 void AccuracyPage::name_parts() {
@@ -295,9 +289,7 @@ std::string name_of_use(const PipelineSettings& settings, const PipelineSettings
 
 bool is_same_study(const FingerStudy& a, const FingerStudy& b) {
   const auto flags = [](const FingerStudy& study) {
-    return std::array{study.is_of_finger_now,
-                      study.is_of_this_computer,
-                      study.has_all_single,
+    return std::array{study.is_of_finger_now, study.is_of_this_computer, study.has_all_single,
                       study.has_all_pairs};
   };
   return a.date == b.date && a.study.rows.size() == b.study.rows.size() && flags(a) == flags(b);
@@ -394,8 +386,7 @@ void FingerStudyRun::use(std::size_t row) {
   const auto& rows = study_->study.rows;
   const PipelineSettings& requested = rows[row].settings;
   undo_.push(new ValueChange<InUse>(
-      [] { return tr("use other settings"); },
-      in_use_,
+      [] { return tr("use other settings"); }, in_use_,
       InUse{name_of_use(requested, rows.front().settings), requested},
       [this, folder = folder_](const InUse& value) { set_in_use(folder, value); }));
 }
@@ -431,13 +422,9 @@ namespace {
 
 constexpr double kMinReportedChange = 0.02;  // of time or error; smaller changes are not reported
 
-QString millimetres(double mm) {
-  return QLocale().toString(mm, 'f', mm < 0.1 ? 4 : 3);
-}
+QString millimetres(double mm) { return QLocale().toString(mm, 'f', mm < 0.1 ? 4 : 3); }
 
-QString milliseconds(double ms) {
-  return QLocale().toString(ms, 'f', 2);
-}
+QString milliseconds(double ms) { return QLocale().toString(ms, 'f', 2); }
 
 QString with_capital(QString text) {
   if (!text.isEmpty()) text[0] = text[0].toUpper();
@@ -454,8 +441,7 @@ QString AccuracyPage::row_words(const StudyRow& row) const {
 QString AccuracyPage::figures_of(const StudyRow& row) const {
   QStringList clauses{
       tr("%1 ms per image; depth: half of all points within %2 mm, 95 % within %3 mm")
-          .arg(milliseconds(frame_ms(shown_->study, row)),
-               millimetres(row.depth->median_mm),
+          .arg(milliseconds(frame_ms(shown_->study, row)), millimetres(row.depth->median_mm),
                millimetres(error_p95_mm(shown_->study, row).value_or(row.depth->p95_mm)))};
   if (row.position_mm)
     clauses << tr("position: half within %1 mm").arg(millimetres(*row.position_mm));
@@ -649,8 +635,8 @@ void AccuracyPage::show_sides() {
 
 QString AccuracyPage::command_line() const {
   if (folder_.empty()) return {};
-  std::string command = fmt::format(
-      "alltact study {} --within-ms {:.4g}", shell_quoted(folder_.string()), question_.budget_ms());
+  std::string command = fmt::format("alltact study {} --within-ms {:.4g}",
+                                    shell_quoted(folder_.string()), question_.budget_ms());
   if (question_.error_mm) command += fmt::format(" --keep-mm {:g}", *question_.error_mm);
   return QString::fromStdString(command);
 }

@@ -93,9 +93,7 @@ class AccuracyPage : public Page {
   Q_OBJECT
  public:
   /// `undo`: receives every change.
-  AccuracyPage(LiveSession& session,
-               QUndoStack& undo,
-               std::string program_version,
+  AccuracyPage(LiveSession& session, QUndoStack& undo, std::string program_version,
                QWidget* parent = nullptr);
 
   [[nodiscard]] QString title() const override { return tr("Accuracy"); }

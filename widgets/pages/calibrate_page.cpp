@@ -13,9 +13,7 @@ constexpr int kGoodPresses = 6;  // with fewer, another press is advised before 
 
 }  // namespace
 
-CalibratePage::CalibratePage(LiveSession& session,
-                             QUndoStack& undo,
-                             const CalibrateTools& tools,
+CalibratePage::CalibratePage(LiveSession& session, QUndoStack& undo, const CalibrateTools& tools,
                              QWidget* parent)
     : Page("calibrate", parent),
       session_(session),
@@ -54,8 +52,8 @@ CalibratePage::CalibratePage(LiveSession& session,
   connect(next_, &QPushButton::clicked, this, [this] { go_to(step_ + 1); });
   connect(finger_, &FingerPage::new_finger_requested, this, &CalibratePage::new_finger_requested);
   connect(finger_, &FingerPage::open_finger_requested, this, &CalibratePage::open_finger_requested);
-  connect(
-      finger_, &FingerPage::record_requested, this, [this] { Q_EMIT page_requested("record"); });
+  connect(finger_, &FingerPage::record_requested, this,
+          [this] { Q_EMIT page_requested("record"); });
   connect(mapping_, &MappingPage::press_requested, this, [this](const std::string& name) {
     go_to(kPressesStep);
     presses_->show_press(name);
@@ -88,11 +86,10 @@ void CalibratePage::add_problems(std::vector<Problem>& problems) {
   if (finger.state != FingerState::kReady || finger.folder.empty()) return;
   const bool is_recorded = finger.finger->face.kind != FaceKind::kFinRay || finger.has_reference;
   if (!is_recorded || finger.finger->mapping) return;
-  problems.push_back({Meaning::kDoubtful,
-                      tr("This finger is not calibrated yet, so no depth is shown."),
-                      tr("Calibrate it with ball presses."),
-                      isVisible() ? QString() : tr("&Go to Calibrate"),
-                      [this] { Q_EMIT page_requested(name()); }});
+  problems.push_back(
+      {Meaning::kDoubtful, tr("This finger is not calibrated yet, so no depth is shown."),
+       tr("Calibrate it with ball presses."), isVisible() ? QString() : tr("&Go to Calibrate"),
+       [this] { Q_EMIT page_requested(name()); }});
 }
 
 void CalibratePage::reload() {
@@ -114,9 +111,7 @@ std::size_t CalibratePage::last_open() const {
   return step;
 }
 
-void CalibratePage::begin_next_step() {
-  go_to(has_unseen_verdict_ ? kVerdictStep : last_open());
-}
+void CalibratePage::begin_next_step() { go_to(has_unseen_verdict_ ? kVerdictStep : last_open()); }
 
 void CalibratePage::follow_run() {
   const bool is_done = was_calibrating_ && !run_.is_running();
@@ -155,8 +150,7 @@ void CalibratePage::show_steps() {
                      i <= open && pages_[i]->state() != StepState::kToDo ? pages_[i]->state()
                      : is_reading                                        ? StepState::kReading
                                                                          : StepState::kToDo,
-                     i <= open,
-                     pages_[open]->missing()});
+                     i <= open, pages_[open]->missing()});
   steps_->show_steps(steps, step_);
   const bool is_last = step_ + 1 == kSteps;
   const QString missing = pages_[step_]->missing();

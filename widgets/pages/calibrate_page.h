@@ -52,9 +52,7 @@ struct CalibrateTools {
 class CalibratePage : public Page {
   Q_OBJECT
  public:
-  CalibratePage(LiveSession& session,
-                QUndoStack& undo,
-                const CalibrateTools& tools,
+  CalibratePage(LiveSession& session, QUndoStack& undo, const CalibrateTools& tools,
                 QWidget* parent = nullptr);
 
   [[nodiscard]] QString title() const override { return tr("Calibrate"); }

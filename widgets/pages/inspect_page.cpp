@@ -137,9 +137,8 @@ void InspectPage::connect_panes() {
       show_probe();
     });
     connect(pane, &InspectPane::view_changed, other, [pane, other] { other->copy_look(*pane); });
-    connect(pane, &InspectPane::view_settled, this, [this, pane](bool is_drag) {
-      store_look(*pane, is_drag);
-    });
+    connect(pane, &InspectPane::view_settled, this,
+            [this, pane](bool is_drag) { store_look(*pane, is_drag); });
     connect(pane, &InspectPane::reset_requested, this, [this] {
       InspectOptions next = options_;
       next.view_pose.reset();
@@ -163,15 +162,11 @@ void InspectPage::name_parts() {
   show_frame();
 }
 
-void InspectPage::change_options(const InspectOptions& options,
-                                 const StepWords& what,
+void InspectPage::change_options(const InspectOptions& options, const StepWords& what,
                                  int merge_id) {
   if (options == options_) return;
   undo_.push(new ValueChange<InspectOptions>(
-      what,
-      options_,
-      options,
-      [this](const InspectOptions& value) { set_options(value); },
+      what, options_, options, [this](const InspectOptions& value) { set_options(value); },
       merge_id));
 }
 
@@ -319,9 +314,8 @@ void InspectPage::make_contact(QVBoxLayout& column) {
   (new QVBoxLayout(contact_group_))->addWidget(contact_);
   column.addWidget(contact_group_);
   column.addWidget(force_);
-  connect(force_, &ForceBox::zero_requested, this, [this](const ForceZero& zero) {
-    take_zero(session_, undo_, zero);
-  });
+  connect(force_, &ForceBox::zero_requested, this,
+          [this](const ForceZero& zero) { take_zero(session_, undo_, zero); });
   connect(force_, &ForceBox::no_zero_requested, this, [this] { drop_zero(session_, undo_); });
   connect(&session_, &LiveSession::status_ready, force_, &ForceBox::schedule_update);
 }
@@ -362,9 +356,8 @@ void InspectPage::choose_video() {
       new QFileDialog(this, tr("Open a video"), QString(), tr("Videos (*.mkv *.avi *.mp4)"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFile);
-  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) {
-    open(file.toStdString());
-  });
+  connect(dialog, &QFileDialog::fileSelected, this,
+          [this](const QString& file) { open(file.toStdString()); });
   dialog->show();
 }
 
@@ -372,9 +365,8 @@ void InspectPage::choose_folder() {
   auto* dialog = new QFileDialog(this, tr("Open a folder of images"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::Directory);
-  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& folder) {
-    open(folder.toStdString());
-  });
+  connect(dialog, &QFileDialog::fileSelected, this,
+          [this](const QString& folder) { open(folder.toStdString()); });
   dialog->show();
 }
 
@@ -387,9 +379,8 @@ void InspectPage::choose_file(const QString& ending) {
   if (const auto& frame = inspection_.frame())
     dialog->selectFile(QString::fromStdString(frame->result.frame->name) + QLatin1Char('.') +
                        ending);
-  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) {
-    save(file.toStdString());
-  });
+  connect(dialog, &QFileDialog::fileSelected, this,
+          [this](const QString& file) { save(file.toStdString()); });
   dialog->show();
 }
 
@@ -417,8 +408,8 @@ CanSave InspectPage::can_save() const {
 Status InspectPage::save_section(const std::filesystem::path& file) {
   SectionPlot& section = side_->section();
   if (section.is_empty())
-    return Error{
-        en::say("there is no cross-section"), file.string(), en::say("two points, A and B")};
+    return Error{en::say("there is no cross-section"), file.string(),
+                 en::say("two points, A and B")};
   if (file.extension() == ".csv") return write_file_atomically(file, section.csv().toStdString());
   const QPalette before = section.palette();
   section.setPalette(theme_palette(Theme::kLight));
@@ -429,8 +420,7 @@ Status InspectPage::save_section(const std::filesystem::path& file) {
         if (file.extension() == ".pdf" ? section.save_pdf(name, size)
                                        : section.save_svg(name, size))
           return {};
-        return Error{en::say("the figure cannot be written"),
-                     file.string(),
+        return Error{en::say("the figure cannot be written"), file.string(),
                      en::say("another folder, or freeing some space")};
       });
   section.setPalette(before);
@@ -473,9 +463,7 @@ BackgroundWork::Work InspectPage::image_work(const std::filesystem::path& file) 
   }
   const QImage image = first_->map_image(kPaperWidth_px / std::max(1, pane.width()));
   return [=](const Job&) {
-    const cv::Mat pixels(image.height(),
-                         image.width(),
-                         CV_8UC3,
+    const cv::Mat pixels(image.height(), image.width(), CV_8UC3,
                          const_cast<uchar*>(image.constBits()),
                          static_cast<std::size_t>(image.bytesPerLine()));
     return ended(write_paper_figure(file, pixels));
@@ -549,9 +537,8 @@ void InspectPage::connect_pair() {
 void InspectPage::choose_second() {
   auto* dialog = new SecondFingerDialog(options_.second, this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  connect(dialog, &SecondFingerDialog::chosen, this, [this](const SecondFinger& second) {
-    open_second(second);
-  });
+  connect(dialog, &SecondFingerDialog::chosen, this,
+          [this](const SecondFinger& second) { open_second(second); });
   dialog->show();
 }
 
@@ -566,10 +553,8 @@ void InspectPage::choose_pose(bool is_second) {
   connect(dialog, &GripperDialog::chosen, this, [this, folder, now](const Pose& chosen) {
     if (chosen == now) return;
     undo_.push(new ValueChange<Pose>(
-        [folder] { return tr("pose of %1 in the gripper").arg(text_of(folder.filename())); },
-        now,
-        chosen,
-        [this, folder](const Pose& requested) { pair_.set_pose(folder, requested); }));
+        [folder] { return tr("pose of %1 in the gripper").arg(text_of(folder.filename())); }, now,
+        chosen, [this, folder](const Pose& requested) { pair_.set_pose(folder, requested); }));
   });
   dialog->show();
 }

@@ -62,8 +62,8 @@ LivePage::LivePage(LiveSession& session, QUndoStack& undo, QWidget* parent)
     if (!is_start_requested_) show_start(false);
   });
   connect(start_, &StartPanel::finger_requested, this, &LivePage::open_finger_requested);
-  connect(
-      start_, &StartPanel::new_finger_requested, this, [this] { Q_EMIT new_finger_requested({}); });
+  connect(start_, &StartPanel::new_finger_requested, this,
+          [this] { Q_EMIT new_finger_requested({}); });
   say([this] { name_parts(); });
   set_options(options_);
 }
@@ -108,10 +108,8 @@ void LivePage::connect_choices() {
 
 void LivePage::name_parts() {
   overlay_group_->setTitle(tr("Image overlays"));
-  const std::array<QString, 5> names{tr("&Edges of the face"),
-                                     tr("&Markers with numbers"),
-                                     tr("Direction of &contact"),
-                                     tr("&Depth in colours"),
+  const std::array<QString, 5> names{tr("&Edges of the face"), tr("&Markers with numbers"),
+                                     tr("Direction of &contact"), tr("&Depth in colours"),
                                      tr("&Too dark or too bright")};
   for (std::size_t i = 0; i < names.size(); ++i) choices_[i].box->setText(names[i]);
   choices_[1].box->setToolTip(tr("Ring: visible marker. Dashed diamond: estimated position."));
@@ -182,9 +180,7 @@ void LivePage::change_control(std::uint32_t id, std::int64_t before, std::int64_
       std::find_if(controls.begin(), controls.end(), [&](const auto& c) { return c.id == id; });
   const std::string name = control == controls.end() ? std::string() : control->name;
   undo_.push(new ValueChange<std::int64_t>(
-      [name] { return tr("change %1").arg(QString::fromStdString(name)); },
-      before,
-      value,
+      [name] { return tr("change %1").arg(QString::fromStdString(name)); }, before, value,
       [this, id, name](const std::int64_t& requested) {
         session_.set_control({id, name, requested});
         Q_EMIT control_set({id, name, requested});
@@ -195,8 +191,7 @@ void LivePage::change_control(std::uint32_t id, std::int64_t before, std::int64_
 void LivePage::change_lock(bool is_locked) {
   undo_.push(new ValueChange<bool>(
       [is_locked] { return is_locked ? tr("lock brightness") : tr("unlock brightness"); },
-      !is_locked,
-      is_locked,
+      !is_locked, is_locked,
       [this](const bool& value) {
         session_.set_lock(value);
         Q_EMIT lock_set(value);
@@ -298,10 +293,8 @@ QVBoxLayout* StartPanel::make_left() {
   column->setSpacing(kSpacing + kSpacing / 2);
   title_->setFont(text_font(font(), TextSize::kTitle));
   intro_->setWordWrap(true);
-  for (QWidget* widget : {static_cast<QWidget*>(title_),
-                          static_cast<QWidget*>(intro_),
-                          static_cast<QWidget*>(last_),
-                          static_cast<QWidget*>(cards_)})
+  for (QWidget* widget : {static_cast<QWidget*>(title_), static_cast<QWidget*>(intro_),
+                          static_cast<QWidget*>(last_), static_cast<QWidget*>(cards_)})
     column->addWidget(widget);
   column->addWidget(drawing_, 1);
   return column;
@@ -316,8 +309,7 @@ QVBoxLayout* StartPanel::make_right() {
   for (QPushButton* button : {finger_, all_, new_finger_}) fingers->addWidget(button);
   auto* column = new QVBoxLayout;
   column->setSpacing(2 * kSpacing);
-  for (QWidget* widget : {static_cast<QWidget*>(try_),
-                          static_cast<QWidget*>(sources_),
+  for (QWidget* widget : {static_cast<QWidget*>(try_), static_cast<QWidget*>(sources_),
                           static_cast<QWidget*>(fingers_)}) {
     widget->setMinimumWidth(kWidth);
     column->addWidget(widget);
@@ -402,9 +394,8 @@ void LivePage::make_contact() {
 
 void LivePage::connect_force() {
   connect(&session_, &LiveSession::view_ready, force_, &ForceBox::schedule_update);
-  connect(force_, &ForceBox::zero_requested, this, [this](const ForceZero& zero) {
-    take_zero(session_, undo_, zero);
-  });
+  connect(force_, &ForceBox::zero_requested, this,
+          [this](const ForceZero& zero) { take_zero(session_, undo_, zero); });
   connect(force_, &ForceBox::no_zero_requested, this, [this] { drop_zero(session_, undo_); });
 }
 
@@ -456,25 +447,20 @@ void LivePage::open_second(const std::optional<SecondCamera>& second) {
       -1);
 }
 
-void LivePage::change_second(const std::optional<SecondCamera>& second,
-                             const StepWords& what,
+void LivePage::change_second(const std::optional<SecondCamera>& second, const StepWords& what,
                              int merge_id) {
   using Second = std::optional<SecondCamera>;
   if (second == pair_.opened()) return;
   undo_.push(new ValueChange<Second>(
-      what,
-      pair_.opened(),
-      second,
-      [this](const Second& requested) { set_second(requested); },
+      what, pair_.opened(), second, [this](const Second& requested) { set_second(requested); },
       merge_id));
 }
 
 void LivePage::choose_second() {
   auto* dialog = new SecondCameraDialog(pair_.opened(), cameras_, this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  connect(dialog, &SecondCameraDialog::chosen, this, [this](const SecondCamera& second) {
-    open_second(second);
-  });
+  connect(dialog, &SecondCameraDialog::chosen, this,
+          [this](const SecondCamera& second) { open_second(second); });
   dialog->show();
 }
 
@@ -518,9 +504,7 @@ namespace {
 
 constexpr int kLampMergeId = 23000;
 
-QString lamp_key(const char* name) {
-  return QStringLiteral("lamp/") + QLatin1String(name);
-}
+QString lamp_key(const char* name) { return QStringLiteral("lamp/") + QLatin1String(name); }
 
 std::optional<DimmerSetting> saved_lamp() {
   const QSettings settings;
@@ -557,8 +541,7 @@ void LivePage::change_lamp(const std::optional<DimmerSetting>& requested) {
   if (requested == before) return;
   const bool is_level = requested && before && same(*requested, *before);
   undo_.push(new ValueChange<std::optional<DimmerSetting>>(
-      [is_level] { return is_level ? tr("dim the lamp") : tr("choose the lamp's dimmer"); },
-      before,
+      [is_level] { return is_level ? tr("dim the lamp") : tr("choose the lamp's dimmer"); }, before,
       requested,
       [this](const std::optional<DimmerSetting>& lamp) {
         lamp_.set(lamp);

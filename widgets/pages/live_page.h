@@ -117,8 +117,7 @@ class LivePage : public Page {
   [[nodiscard]] ShownForce shown_force() const;
   void connect_pair();
   void choose_second();
-  void change_second(const std::optional<SecondCamera>& second,
-                     const StepWords& what,
+  void change_second(const std::optional<SecondCamera>& second, const StepWords& what,
                      int merge_id);
   void set_second(const std::optional<SecondCamera>& second);
   void set_layers(LiveSession& session) const;

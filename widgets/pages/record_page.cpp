@@ -144,10 +144,8 @@ QWidget* RecordPage::make_side() {
 void RecordPage::make_recording_group(QVBoxLayout& column) {
   auto* layout = new QVBoxLayout(recording_group_);
   record_->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_R));
-  for (QWidget* widget : {static_cast<QWidget*>(record_),
-                          static_cast<QWidget*>(reason_),
-                          static_cast<QWidget*>(progress_),
-                          static_cast<QWidget*>(space_)})
+  for (QWidget* widget : {static_cast<QWidget*>(record_), static_cast<QWidget*>(reason_),
+                          static_cast<QWidget*>(progress_), static_cast<QWidget*>(space_)})
     layout->addWidget(widget);
   column.addWidget(recording_group_);
 }
@@ -371,8 +369,7 @@ Result<ReferenceReport> install_take(const ReferenceInstaller& installer,
                                      const std::shared_ptr<const JudgedTake>& judged,
                                      const std::filesystem::path& folder,
                                      const std::filesystem::path& video,
-                                     const ReferenceChoices& choices,
-                                     const Job& job) {
+                                     const ReferenceChoices& choices, const Job& job) {
   if (judged && judged->finger == folder && judged->video == video) {
     const auto is_done = judged->install();
     if (!is_done) return is_done.error();
@@ -578,8 +575,7 @@ void RecordPage::record_again() {
 }
 
 void RecordPage::choose_video() {
-  auto* dialog = new QFileDialog(this,
-                                 tr("Video of the bending finger"),
+  auto* dialog = new QFileDialog(this, tr("Video of the bending finger"),
                                  QString::fromStdString(session_.status().finger.folder.string()),
                                  tr("Videos (*.mkv *.avi *.mp4 *.mov)"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -598,27 +594,24 @@ QString RecordPage::take_words(const RecordingStatus& recording) const {
   if (recording.file != recorded_) return name;
   QStringList lines{
       tr("%1: %2, %3 min")
-          .arg(name,
-               tr("%n frame(s)", nullptr, static_cast<int>(recording.counts.recorded)),
+          .arg(name, tr("%n frame(s)", nullptr, static_cast<int>(recording.counts.recorded)),
                time_text(recording.seconds))};
   if (const auto dropped = recording.counts.dropped; dropped > 0)
-    lines << tr("%n frame(s) were lost because this computer or its disk was too slow.",
-                nullptr,
+    lines << tr("%n frame(s) were lost because this computer or its disk was too slow.", nullptr,
                 static_cast<int>(dropped));
   if (const auto missing = recording.counts.missing; missing > 0)
     lines << tr("%n frame(s) did not arrive from the source.", nullptr, static_cast<int>(missing));
   if (recording.counts.dropped + recording.counts.missing == 0) lines << tr("No frame was lost.");
   if (contact_frames_ > 0)
-    lines << tr(
-        "%n frame(s) with contact are left out.", nullptr, static_cast<int>(contact_frames_));
+    lines << tr("%n frame(s) with contact are left out.", nullptr,
+                static_cast<int>(contact_frames_));
   return lines.join(QLatin1Char('\n'));
 }
 
 QString RecordPage::judged_words() const {
   if (judge_.is_working()) {
     const auto left = judge_.work().seconds_left();
-    return left ? tr("The expected error is being computed, about %n second(s).",
-                     nullptr,
+    return left ? tr("The expected error is being computed, about %n second(s).", nullptr,
                      static_cast<int>(*left) + 1)
                 : tr("The expected error is being computed.");
   }
@@ -629,8 +622,7 @@ QString RecordPage::judged_words() const {
   const ReferenceReport& report = judged.value();
   return tr("Expected error: half of the references off by less than %1 mm, 95 % by less than %2 "
             "mm, from %n frame(s).",
-            nullptr,
-            report.frames_retained)
+            nullptr, report.frames_retained)
       .arg(QLocale().toString(report.error_median_mm, 'f', 3),
            QLocale().toString(report.error_p95_mm, 'f', 3));
 }
@@ -663,16 +655,11 @@ void RecordPage::show_recorded(const LiveStatus& status) {
   if (is_deferred) {
     summary_->setText(tr("Saved: %1").arg(QString::fromStdString(deferred_.filename().string())));
     summary_->setToolTip(QString::fromStdString(deferred_.string()));
-    for (QWidget* widget : {static_cast<QWidget*>(install_),
-                            static_cast<QWidget*>(keep_),
-                            static_cast<QWidget*>(again_),
-                            static_cast<QWidget*>(onward_),
-                            static_cast<QWidget*>(install_reason_),
-                            static_cast<QWidget*>(judged_),
-                            static_cast<QWidget*>(skin_changed_),
-                            static_cast<QWidget*>(bar_),
-                            static_cast<QWidget*>(stop_install_),
-                            static_cast<QWidget*>(outcome_),
+    for (QWidget* widget : {static_cast<QWidget*>(install_), static_cast<QWidget*>(keep_),
+                            static_cast<QWidget*>(again_), static_cast<QWidget*>(onward_),
+                            static_cast<QWidget*>(install_reason_), static_cast<QWidget*>(judged_),
+                            static_cast<QWidget*>(skin_changed_), static_cast<QWidget*>(bar_),
+                            static_cast<QWidget*>(stop_install_), static_cast<QWidget*>(outcome_),
                             static_cast<QWidget*>(rejected_)})
       widget->hide();
     return;
@@ -760,8 +747,7 @@ void RecordPage::show_progress(const RecordingStatus& recording) {
   if (free_gb && is_recording && recording.seconds > 2 && recording.counts.bytes > 0) {
     const double gb_per_s =
         static_cast<double>(recording.counts.bytes) / kGigabyte / recording.seconds;
-    parts << tr("room for about %n minute(s)",
-                nullptr,
+    parts << tr("room for about %n minute(s)", nullptr,
                 static_cast<int>(std::min(*free_gb / gb_per_s / 60, 99999.0)));
   }
   space_->setText(joined(parts));
@@ -838,8 +824,7 @@ void RecordPage::add_recording_problems(const LiveStatus& status, std::vector<Pr
          tr("Try another disk, or a smaller image."));
   add_contact_notes(status, problems);
   if (free_gb_ && *free_gb_ < kLittleSpace_gb)
-    note(Meaning::kDoubtful,
-         tr("Little space is left on the disk."),
+    note(Meaning::kDoubtful, tr("Little space is left on the disk."),
          tr("Choose a file on another disk, or make room."));
   if (report_ && report_->ok())
     for (const Message& warning : report_->value().warnings)

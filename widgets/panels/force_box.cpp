@@ -261,15 +261,12 @@ struct ZeroWords {
   static QString drop() { return tr("show the force as measured"); }
 };
 
-void change_zero(LiveSession& session,
-                 QUndoStack& undo,
-                 const std::optional<SessionZero>& zero,
+void change_zero(LiveSession& session, QUndoStack& undo, const std::optional<SessionZero>& zero,
                  StepWords what) {
   using Zero = std::optional<SessionZero>;
   undo.push(new ValueChange<Zero>(
-      std::move(what), session.force_zero(), zero, [&session](const Zero& requested) {
-        session.set_force_zero(requested);
-      }));
+      std::move(what), session.force_zero(), zero,
+      [&session](const Zero& requested) { session.set_force_zero(requested); }));
 }
 
 }  // namespace
@@ -278,8 +275,7 @@ void take_zero(LiveSession& session, QUndoStack& undo, const ForceZero& zero) {
   const FingerStatus& finger = session.status().finger;
   if (!finger.finger) return;
   change_zero(
-      session,
-      undo,
+      session, undo,
       SessionZero{zero, QDateTime::currentDateTime(), finger.folder, finger.finger->force_model},
       ZeroWords::take);
 }

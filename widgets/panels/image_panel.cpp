@@ -257,17 +257,13 @@ void choose_snapshot(const cv::Mat& grey, const std::vector<Overlay>& overlays, 
   dialog->setDefaultSuffix(QStringLiteral("png"));
   dialog->setNameFilters({SnapshotWords::drawn(), SnapshotWords::bare()});
   const QImage drawn = image_with_overlays(grey, overlays), bare = grey_image(grey).copy();
-  QObject::connect(dialog,
-                   &QFileDialog::fileSelected,
-                   &parent,
+  QObject::connect(dialog, &QFileDialog::fileSelected, &parent,
                    [drawn, bare, dialog, &parent](const QString& file) {
                      const bool is_bare = dialog->selectedNameFilter() == SnapshotWords::bare();
                      if ((is_bare ? bare : drawn).save(file, "PNG")) return;
-                     auto* box = new QMessageBox(QMessageBox::Warning,
-                                                 SnapshotWords::title(),
-                                                 SnapshotWords::failed(file),
-                                                 QMessageBox::Ok,
-                                                 &parent);
+                     auto* box =
+                         new QMessageBox(QMessageBox::Warning, SnapshotWords::title(),
+                                         SnapshotWords::failed(file), QMessageBox::Ok, &parent);
                      box->setAttribute(Qt::WA_DeleteOnClose);
                      box->show();
                    });
@@ -297,11 +293,11 @@ struct FrameWords {
     if (!result.depth) return text;
     const float depth = result.depth->depth_mm.at<float>(pixel.y(), pixel.x());
     const std::uint8_t flag = result.depth->flags.at<std::uint8_t>(pixel.y(), pixel.x());
-    return joined({text,
-                   std::isfinite(depth) ? tr("depth %1 mm")
-                                              .arg(is_at_limit(flag) ? limit_and_sd(depth, {}, 2)
-                                                                     : plain_number(depth, 2))
-                                        : no_depth(flag)});
+    return joined({text, std::isfinite(depth)
+                             ? tr("depth %1 mm")
+                                   .arg(is_at_limit(flag) ? limit_and_sd(depth, {}, 2)
+                                                          : plain_number(depth, 2))
+                             : no_depth(flag)});
   }
 
   static QString colour_bar() { return tr("Depth, mm"); }

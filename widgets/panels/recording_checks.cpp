@@ -86,8 +86,7 @@ void RigCheckBox::show_findings(const std::vector<RigFinding>& findings,
     QStringList names;
     for (const CameraControl& control : automatic_modes_on(controls))
       names << control_name(control);
-    lines.push_back({names.isEmpty() ? Meaning::kGood : Meaning::kBad,
-                     true,
+    lines.push_back({names.isEmpty() ? Meaning::kGood : Meaning::kBad, true,
                      names.isEmpty()
                          ? tr("Camera: all modes are manual.")
                          : tr("Camera: %1 is on and changes the measured brightness. Lock "
@@ -197,10 +196,9 @@ void CoverageView::describe() {
   QStringList missing;
   for (const BendDirection direction : coverage_.missing())
     missing << bend_direction_text(direction);
-  set_accessible_description(*this,
-                             coverage_.poses == 0 ? tr("No pose seen yet.")
-                             : missing.isEmpty()  ? tr("Enough: all directions reached.")
-                                                  : tr("Missing: %1.").arg(listed(missing)));
+  set_accessible_description(*this, coverage_.poses == 0 ? tr("No pose seen yet.")
+                                    : missing.isEmpty()  ? tr("Enough: all directions reached.")
+                                                         : tr("Missing: %1.").arg(listed(missing)));
 }
 
 void CoverageView::changeEvent(QEvent* event) {
@@ -217,8 +215,8 @@ void CoverageView::paintEvent(QPaintEvent* /*event*/) {
   const QRectF field(0.5 * (width() - side), line, side, side);
   paint_field(painter, field);
   paint_label(painter, {field.left(), 0, side, line}, Qt::AlignCenter, BendDirection::kUp);
-  paint_label(
-      painter, {field.left(), field.bottom(), side, line}, Qt::AlignCenter, BendDirection::kDown);
+  paint_label(painter, {field.left(), field.bottom(), side, line}, Qt::AlignCenter,
+              BendDirection::kDown);
   // One above the axis and one below it, so that long words fit.
   const QRectF above(field.left() + 6, field.center().y() - line - 2, side - 12, line);
   const QRectF under(field.left() + 6, field.center().y() + 2, side - 12, line);
@@ -289,9 +287,7 @@ void CoverageView::paint_twist(QPainter& painter, const QRectF& bar) const {
   painter.drawEllipse(QPointF(x, bar.center().y()), 6, 6);
 }
 
-void CoverageView::paint_label(QPainter& painter,
-                               const QRectF& room,
-                               int flags,
+void CoverageView::paint_label(QPainter& painter, const QRectF& room, int flags,
                                BendDirection direction) const {
   const QString text = bend_direction_text(direction);
   const bool is_reached = coverage_.reached[static_cast<std::size_t>(direction)] >= 1;
@@ -309,8 +305,7 @@ void CoverageView::paint_label(QPainter& painter,
   paint_sign(painter, {left + 0.5 * kSign, room.center().y()}, is_reached);
   painter.setPen(palette().color(QPalette::WindowText));
   painter.drawText(QRectF(left + kSign + gap, room.top(), text_width + 2, room.height()),
-                   Qt::AlignVCenter | Qt::AlignLeft,
-                   text);
+                   Qt::AlignVCenter | Qt::AlignLeft, text);
 }
 
 void CoverageView::paint_sign(QPainter& painter, QPointF centre, bool is_reached) const {
@@ -367,15 +362,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path path_of(const QTemporaryDir& folder) {
-  return folder.path().toStdString();
-}
+fs::path path_of(const QTemporaryDir& folder) { return folder.path().toStdString(); }
 
-JudgedTake judge_take(const ReferenceInstaller& installer,
-                      const fs::path& finger,
-                      const fs::path& video,
-                      const ReferenceChoices& choices,
-                      const Job& job) {
+JudgedTake judge_take(const ReferenceInstaller& installer, const fs::path& finger,
+                      const fs::path& video, const ReferenceChoices& choices, const Job& job) {
   const auto copy = std::make_shared<const QTemporaryDir>();
   const auto judged = [&](Result<ReferenceReport> report, std::string finger_yaml = {}) {
     return JudgedTake{std::move(report), copy, std::move(finger_yaml), finger, video};
@@ -414,8 +404,7 @@ TakeJudge::TakeJudge(ReferenceInstaller installer, QObject* parent)
   connect(&work_, &BackgroundWork::finished, this, &TakeJudge::changed);
 }
 
-void TakeJudge::judge(const fs::path& finger,
-                      const fs::path& video,
+void TakeJudge::judge(const fs::path& finger, const fs::path& video,
                       const ReferenceChoices& choices) {
   forget();
   work_.restart(
@@ -429,9 +418,7 @@ void TakeJudge::judge(const fs::path& finger,
   Q_EMIT changed();
 }
 
-void TakeJudge::stop() {
-  work_.stop();
-}
+void TakeJudge::stop() { work_.stop(); }
 
 void TakeJudge::forget() {
   stop();

@@ -116,11 +116,9 @@ class QuickBending {
 // Previews a recording as a finger's reference before it is installed.
 
 /// Installs a recording in a finger's folder; runs on a background thread.
-using ReferenceInstaller =
-    std::function<Result<ReferenceReport>(const std::filesystem::path& folder,
-                                          const std::filesystem::path& video,
-                                          const ReferenceChoices& choices,
-                                          const Job& job)>;
+using ReferenceInstaller = std::function<Result<ReferenceReport>(
+    const std::filesystem::path& folder, const std::filesystem::path& video,
+    const ReferenceChoices& choices, const Job& job)>;
 
 /// A recording that was installed in a copy of a finger.
 struct JudgedTake {
@@ -143,8 +141,7 @@ class TakeJudge : public QObject {
   explicit TakeJudge(ReferenceInstaller installer, QObject* parent = nullptr);
 
   /// finger: its folder, which stays unchanged.
-  void judge(const std::filesystem::path& finger,
-             const std::filesystem::path& video,
+  void judge(const std::filesystem::path& finger, const std::filesystem::path& video,
              const ReferenceChoices& choices);
   /// Stops the run; a finished report is retained.
   void stop();

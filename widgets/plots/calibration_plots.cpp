@@ -79,9 +79,8 @@ bool MappingPlot::draw() {
     deepest = std::max(deepest, point.depth_mm);
     darkest = std::max(darkest, point.x);
   }
-  chart().xAxis->setLabel(
-      data_.is_small ? tr("Brightness difference x (no unit)")
-                     : tr("Brightness difference x (relative to untouched)"));
+  chart().xAxis->setLabel(data_.is_small ? tr("Brightness difference x (no unit)")
+                                         : tr("Brightness difference x (relative to untouched)"));
   chart().yAxis->setLabel(data_.is_small               ? tr("Depth (mm)")
                           : data_.depth_axis.isEmpty() ? tr("Press depth (mm)")
                                                        : data_.depth_axis);
@@ -131,9 +130,7 @@ void ConvergencePlot::set_rounds(const std::vector<Round>& rounds) {
   rebuild();
 }
 
-QString ConvergencePlot::empty_text() const {
-  return tr("Convergence has not started yet");
-}
+QString ConvergencePlot::empty_text() const { return tr("Convergence has not started yet"); }
 
 void ConvergencePlot::draw_residual() {
   auto* line = chart().addGraph();
@@ -208,9 +205,7 @@ void HistogramPlot::set_data(std::vector<double> errors_mm, const QString& axis)
   rebuild();
 }
 
-QString HistogramPlot::empty_text() const {
-  return tr("No errors to show yet");
-}
+QString HistogramPlot::empty_text() const { return tr("No errors to show yet"); }
 
 void HistogramPlot::add_line(double x, const QString& text, Qt::Alignment side) {
   auto* line = new QCPItemLine(&chart());
@@ -252,16 +247,13 @@ bool HistogramPlot::draw() {
 
 void HistoryPlot::set_data(HistoryData data) {
   data_ = std::move(data);
-  std::stable_sort(data_.points.begin(), data_.points.end(), [](const auto& a, const auto& b) {
-    return a.time_s < b.time_s;
-  });
+  std::stable_sort(data_.points.begin(), data_.points.end(),
+                   [](const auto& a, const auto& b) { return a.time_s < b.time_s; });
   setAccessibleName(tr("Checks over time"));
   rebuild();
 }
 
-QString HistoryPlot::empty_text() const {
-  return tr("Not checked yet since the calibration");
-}
+QString HistoryPlot::empty_text() const { return tr("Not checked yet since the calibration"); }
 
 void HistoryPlot::draw_band(double from_mm, double to_mm, QColor colour, const QString& word) {
   if (!(to_mm > from_mm)) return;
@@ -270,9 +262,7 @@ void HistoryPlot::draw_band(double from_mm, double to_mm, QColor colour, const Q
   band->topLeft->setCoords(chart().xAxis->range().lower, to_mm);
   band->bottomRight->setCoords(chart().xAxis->range().upper, from_mm);
   band->setPen(Qt::NoPen);
-  add_note(chart().xAxis->range().upper,
-           0.5 * (from_mm + to_mm),
-           word,
+  add_note(chart().xAxis->range().upper, 0.5 * (from_mm + to_mm), word,
            Qt::AlignRight | Qt::AlignVCenter);
   colour.setAlpha(40);
   band->setBrush(colour);
@@ -288,13 +278,9 @@ bool HistoryPlot::draw() {
   chart().xAxis->setRange(first - room, last + 3.0 * room);
   chart().yAxis->setRange(0, worst);
   draw_band(0, data_.drifting_above_mm, meaning_colour(Meaning::kGood, palette()), tr("pass"));
-  draw_band(data_.drifting_above_mm,
-            data_.recalibrate_above_mm,
-            meaning_colour(Meaning::kDoubtful, palette()),
-            tr("drifting"));
-  draw_band(data_.recalibrate_above_mm,
-            worst,
-            meaning_colour(Meaning::kBad, palette()),
+  draw_band(data_.drifting_above_mm, data_.recalibrate_above_mm,
+            meaning_colour(Meaning::kDoubtful, palette()), tr("drifting"));
+  draw_band(data_.recalibrate_above_mm, worst, meaning_colour(Meaning::kBad, palette()),
             tr("recalibrate"));
 
   auto* line = chart().addGraph();

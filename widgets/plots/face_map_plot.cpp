@@ -13,16 +13,8 @@ namespace {
 /// Viridis (van der Walt and Smith 2015): perceptually uniform, also in grey and to the
 /// colour-blind.
 QCPColorGradient viridis() {
-  static const char* const kStops[] = {"#440154",
-                                       "#482878",
-                                       "#3e4989",
-                                       "#31688e",
-                                       "#26828e",
-                                       "#1f9e89",
-                                       "#35b779",
-                                       "#6ece58",
-                                       "#b5de2b",
-                                       "#fde725"};
+  static const char* const kStops[] = {"#440154", "#482878", "#3e4989", "#31688e", "#26828e",
+                                       "#1f9e89", "#35b779", "#6ece58", "#b5de2b", "#fde725"};
   QCPColorGradient gradient;
   gradient.clearColorStops();
   for (int i = 0; i < 10; ++i) gradient.setColorStopAt(i / 9.0, QColor(kStops[i]));
@@ -64,9 +56,7 @@ std::optional<std::size_t> FaceMapPlot::contact_at(const QPointF& pixel) const {
   return found;
 }
 
-QString FaceMapPlot::empty_text() const {
-  return tr("No data for the face yet");
-}
+QString FaceMapPlot::empty_text() const { return tr("No data for the face yet"); }
 
 void FaceMapPlot::draw_cells() {
   auto* map = new QCPColorMap(chart().xAxis, chart().yAxis);
@@ -109,10 +99,8 @@ void FaceMapPlot::draw_contacts() {
                        ? QPen(series_colour(1, palette()), 3, Qt::DashLine)
                        : QPen(palette().color(QPalette::Text), contact.is_chosen ? 3 : 1));
     if (!contact.name.empty())
-      add_note(contact.along_mm,
-               contact.across_mm - contact.radius_mm,
-               QString::fromStdString(contact.name),
-               Qt::AlignHCenter | Qt::AlignBottom);
+      add_note(contact.along_mm, contact.across_mm - contact.radius_mm,
+               QString::fromStdString(contact.name), Qt::AlignHCenter | Qt::AlignBottom);
   }
 }
 

@@ -186,8 +186,8 @@ void Plot::fit_text(const QSize& size) {
   const QFontMetrics metrics(font());
   for (const auto& [axis, title] : titles_) {
     const bool is_across = axis->orientation() == Qt::Horizontal;
-    axis->setLabel(broken(
-        title, metrics, is_across ? size.width() - kMarginAcross : size.height() - kMarginUp));
+    axis->setLabel(broken(title, metrics,
+                          is_across ? size.width() - kMarginAcross : size.height() - kMarginUp));
   }
   QCPLegend* legend = chart_->legend;
   if (!legend->visible() || legend->itemCount() == 0) return;

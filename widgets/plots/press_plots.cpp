@@ -16,9 +16,7 @@ constexpr int kLongestName = 22;
 
 /// Presses are sorted and labelled by the press's error; where it is missing (one press only) by
 /// the residual.
-double shown_mm(const PressError& error) {
-  return error.held_out_mm.value_or(error.residual_mm);
-}
+double shown_mm(const PressError& error) { return error.held_out_mm.value_or(error.residual_mm); }
 
 double longest_bar_mm(const std::vector<PressError>& errors) {
   double longest = 1e-6;
@@ -87,14 +85,11 @@ void PressErrorPlot::announce() {
             errors_.front()));
   if (!can_choose_) return;
   const auto row = chosen_row();
-  set_accessible_value(*this,
-                       row ? words(tr("%1: %2 mm"), errors_[static_cast<std::size_t>(*row)])
-                           : tr("No press is chosen"));
+  set_accessible_value(*this, row ? words(tr("%1: %2 mm"), errors_[static_cast<std::size_t>(*row)])
+                                  : tr("No press is chosen"));
 }
 
-int PressErrorPlot::shown() const {
-  return std::min(kShown, static_cast<int>(errors_.size()));
-}
+int PressErrorPlot::shown() const { return std::min(kShown, static_cast<int>(errors_.size())); }
 
 std::optional<int> PressErrorPlot::chosen_row() const {
   for (int i = 0; i < shown(); ++i)
@@ -162,13 +157,9 @@ void PressErrorPlot::draw_chosen() {
   frame->setBrush(inside);
 }
 
-QString PressErrorPlot::empty_text() const {
-  return tr("No presses yet");
-}
+QString PressErrorPlot::empty_text() const { return tr("No presses yet"); }
 
-int PressErrorPlot::comfortable_height() const {
-  return 130 + 30 * std::max(2, shown());
-}
+int PressErrorPlot::comfortable_height() const { return 130 + 30 * std::max(2, shown()); }
 
 bool PressErrorPlot::draw() {
   if (errors_.empty()) return false;
@@ -210,8 +201,7 @@ bool PressErrorPlot::draw() {
   const int cut = static_cast<int>(errors_.size()) - shown;
   chart().xAxis->setLabel(cut > 0 ? tr("Mapping minus ball in the contact, mean (mm); %n "
                                        "better press(es) not shown",
-                                       "",
-                                       cut)
+                                       "", cut)
                                   : tr("Mapping minus ball in the contact, mean (mm)"));
   show_legend();
   return true;
@@ -224,9 +214,7 @@ void PressLightPlot::set_data(std::vector<PressLight> presses, double limit_perc
   rebuild();
 }
 
-QString PressLightPlot::empty_text() const {
-  return tr("No presses yet");
-}
+QString PressLightPlot::empty_text() const { return tr("No presses yet"); }
 
 bool PressLightPlot::draw() {
   if (presses_.empty()) return false;

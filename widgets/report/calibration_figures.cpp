@@ -28,8 +28,7 @@ QString title_of(FaceQuantity quantity) {
 }
 
 const BallFit* ball_of(const Calibration& calibration, const std::string& press) {
-  const auto ball = std::find_if(calibration.balls.begin(),
-                                 calibration.balls.end(),
+  const auto ball = std::find_if(calibration.balls.begin(), calibration.balls.end(),
                                  [&](const BallFit& one) { return one.press == press; });
   return ball == calibration.balls.end() ? nullptr : &*ball;
 }
@@ -55,8 +54,7 @@ MappingPlotData mapping_figure(const Calibration& calibration,
   }
   for (const PressResiduals& press : residuals)
     for (const ResidualSample& sample : press.samples)
-      data.points.push_back({sample.x,
-                             sample.ball_depth_mm / sample.factor,
+      data.points.push_back({sample.x, sample.ball_depth_mm / sample.factor,
                              sample.rim <= kInnerRim,
                              !chosen_press.empty() && press.press == chosen_press});
   return data;
@@ -73,10 +71,8 @@ std::vector<PressError> press_errors(const Calibration& calibration) {
   return errors;
 }
 
-FaceMapData face_figure(FaceQuantity quantity,
-                        const Calibration& calibration,
-                        const std::vector<PressResiduals>& residuals,
-                        FaceKind kind,
+FaceMapData face_figure(FaceQuantity quantity, const Calibration& calibration,
+                        const std::vector<PressResiduals>& residuals, FaceKind kind,
                         const std::string& chosen_press) {
   double length = 0, width = 0;
   for (const PressResiduals& press : residuals) {
@@ -110,11 +106,7 @@ FaceMapData face_figure(FaceQuantity quantity,
   data.quantity = title_of(quantity);
   data.has_base = kind == FaceKind::kFinRay;
   for (const PressResiduals& press : residuals)
-    data.contacts.push_back({press.along_mm,
-                             press.across_mm,
-                             press.contact_radius_mm,
-                             "",
-                             false,
+    data.contacts.push_back({press.along_mm, press.across_mm, press.contact_radius_mm, "", false,
                              !chosen_press.empty() && press.press == chosen_press});
   return data;
 }

@@ -27,10 +27,8 @@ enum class FaceQuantity {
 };
 /// In mm, over the part of the face that the presses showed; the contacts as circles, in the order
 /// of the residuals.
-[[nodiscard]] FaceMapData face_figure(FaceQuantity quantity,
-                                      const Calibration& calibration,
-                                      const std::vector<PressResiduals>& residuals,
-                                      FaceKind kind,
+[[nodiscard]] FaceMapData face_figure(FaceQuantity quantity, const Calibration& calibration,
+                                      const std::vector<PressResiduals>& residuals, FaceKind kind,
                                       const std::string& chosen_press = {});
 
 /// Signed, from the inner part of every contact, mm.

@@ -50,39 +50,27 @@ struct Entry {
 
 std::vector<Entry> catalogue() {
   return {
-      {Fault::kNone,
-       Shown::kCloud,
-       text("No fault"),
+      {Fault::kNone, Shown::kCloud, text("No fault"),
        text("One narrow cloud from zero to the deepest press, on the line.")},
-      {Fault::kOtherLight,
-       Shown::kLight,
-       text("Other light than when the reference was taken"),
+      {Fault::kOtherLight, Shown::kLight, text("Other light than when the reference was taken"),
        text(
            "Here 5 % more: all bars alike and beyond the dashed lines. The program corrects it and "
            "says so. Left uncorrected, every press would seem less deep.")},
-      {Fault::kAutomaticExposure,
-       Shown::kLight,
-       text("Automatic exposure"),
+      {Fault::kAutomaticExposure, Shown::kLight, text("Automatic exposure"),
        text("Here another gain in every press, within 6 %: bars up and down. The program says so: "
             "lock "
             "exposure and gain, shade the finger, press again.")},
-      {Fault::kMovedCamera,
-       Shown::kCloud,
-       text("Finger or camera moved after the reference"),
+      {Fault::kMovedCamera, Shown::kCloud, text("Finger or camera moved after the reference"),
        text("Here by 0.45 mm. On a flat sensor in even light it does not show. Of a bending finger "
             "the "
             "program says when the reference does not hold the pose of most presses.")},
-      {Fault::kLooseSkin,
-       Shown::kCloud,
-       text("Skin that leaves the ball, light at its edge"),
+      {Fault::kLooseSkin, Shown::kCloud, text("Skin that leaves the ball, light at its edge"),
        text("Crosses away from the line near zero: towards the rim the skin no longer follows the "
             "ball, "
             "and swells brightly beside it. Common, and no fault as long as the dots lie on the "
             "line: "
             "only the inner part is used.")},
-      {Fault::kBallRadius,
-       Shown::kCloud,
-       text("Wrong radius of the ball"),
+      {Fault::kBallRadius, Shown::kCloud, text("Wrong radius of the ball"),
        text(
            "Here given 10 % too large: it looks as good as no fault, and every depth is 9 % too "
            "small. "
@@ -92,9 +80,7 @@ std::vector<Entry> catalogue() {
   };
 }
 
-QImage image_of(const Entry& entry,
-                const SimulatedCalibration& made,
-                const QPalette& palette,
+QImage image_of(const Entry& entry, const SimulatedCalibration& made, const QPalette& palette,
                 const QFont& font) {
   const auto dressed = [&](Plot& plot) {
     plot.setFont(font);
@@ -128,10 +114,8 @@ Result<std::vector<SimulatedCalibration>> simulate_typical_faults(const Job& job
 }
 
 /// Adds the chapter about them.
-void add_typical_faults(Document& document,
-                        const std::vector<SimulatedCalibration>& faults,
-                        const QPalette& palette,
-                        const QFont& font) {
+void add_typical_faults(Document& document, const std::vector<SimulatedCalibration>& faults,
+                        const QPalette& palette, const QFont& font) {
   document.new_page();
   document.heading(text("Typical faults, and what they look like"));
   document.paragraph(text(
@@ -149,8 +133,7 @@ void add_typical_faults(Document& document,
 /// Writes one report from top to bottom.
 class ReportPages {
  public:
-  ReportPages(std::shared_ptr<const FingerCalibration> done,
-              std::filesystem::path folder,
+  ReportPages(std::shared_ptr<const FingerCalibration> done, std::filesystem::path folder,
               std::vector<SimulatedCalibration> faults)
       : shared_(std::move(done)),
         folder_(std::move(folder)),
@@ -160,19 +143,12 @@ class ReportPages {
 
   /// Writes the next part, in a fraction of a second. False: there is none left.
   bool write_next() {
-    constexpr std::array kParts{&ReportPages::add_verdict,
-                                &ReportPages::add_facts,
-                                &ReportPages::add_presses,
-                                &ReportPages::add_mapping,
-                                &ReportPages::add_errors,
-                                &ReportPages::add_maps,
-                                &ReportPages::add_spread,
-                                &ReportPages::add_methods,
-                                &ReportPages::add_light,
-                                &ReportPages::add_remarks,
-                                &ReportPages::add_history,
-                                &ReportPages::add_repetition,
-                                &ReportPages::add_faults};
+    constexpr std::array kParts{
+        &ReportPages::add_verdict, &ReportPages::add_facts,   &ReportPages::add_presses,
+        &ReportPages::add_mapping, &ReportPages::add_errors,  &ReportPages::add_maps,
+        &ReportPages::add_spread,  &ReportPages::add_methods, &ReportPages::add_light,
+        &ReportPages::add_remarks, &ReportPages::add_history, &ReportPages::add_repetition,
+        &ReportPages::add_faults};
     if (next_ == kParts.size()) return false;
     (this->*kParts[next_++])();
     return true;
@@ -237,9 +213,7 @@ class ReportPages {
   Document document_;
 };
 
-Error stopped() {
-  return {en::say("stopped before the report was written"), "", ""};
-}
+Error stopped() { return {en::say("stopped before the report was written"), "", ""}; }
 
 QString cause_words(ErrorCause cause) {
   switch (cause) {
@@ -272,8 +246,7 @@ void ReportPages::add_verdict() {
   if (!worth.cause.empty()) lines << sentence(worth.cause);
   if (!worth.rests_on.empty()) lines << text("Based on: %1.").arg(as_text(worth.rests_on));
   const QString grade = phrase(word_of(worth.grade));
-  document_.box(error ? text("%1, ±%2 mm").arg(grade, mm(*error)) : grade,
-                lines.join('\n'),
+  document_.box(error ? text("%1, ±%2 mm").arg(grade, mm(*error)) : grade, lines.join('\n'),
                 meaning_colour(meaning_of(worth.grade), light_));
   document_.paragraph(
       text("The expected error is what the next contact will be off by, all known causes together: "
@@ -284,8 +257,7 @@ void ReportPages::add_verdict() {
   if (!calibration_.fault_signs.empty()) {
     QStringList signs;
     for (const Message& sign : calibration_.fault_signs) signs << sentence(sign);
-    document_.box(text("The presses show a fault"),
-                  signs.join('\n'),
+    document_.box(text("The presses show a fault"), signs.join('\n'),
                   meaning_colour(Meaning::kDoubtful, light_));
   }
   add_zones();
@@ -312,8 +284,8 @@ void ReportPages::add_zones() {
                     {zone.error_mm ? mm(*zone.error_mm) : text("unknown: no press there"), {}, 0}});
   }
   document_.heading(text("How good it is, by zone of the face"));
-  document_.table(
-      {text("Zone"), text("Presses"), text("Mean depth error (mm)")}, rows, {false, true, true});
+  document_.table({text("Zone"), text("Presses"), text("Mean depth error (mm)")}, rows,
+                  {false, true, true});
   if (!unknown.isEmpty())
     document_.paragraph(text("Nothing was pressed here, so nothing is known of it: %1. Add a press "
                              "there, or do not rely on depth there.")
@@ -328,9 +300,9 @@ void ReportPages::add_facts() {
     if (!value.isEmpty()) rows.push_back({{name, {}, 0}, {value, {}, 0}});
   };
   add(text("Date"), when(as_text(inputs.date)));
-  add(text("Operator"),
-      inputs.press_set.operator_name.empty() ? text("not told")
-                                             : as_text(inputs.press_set.operator_name));
+  add(text("Operator"), inputs.press_set.operator_name.empty()
+                            ? text("not told")
+                            : as_text(inputs.press_set.operator_name));
   add(text("Ball"),
       text("radius %1 mm").arg(inputs.press_set.ball_radius_mm) +
           (inputs.press_set.has_other_balls() ? text("; other balls stand beside their presses")
@@ -339,19 +311,17 @@ void ReportPages::add_facts() {
       text("%1 used of %2 given")
           .arg(calibration_.calibration.balls.size() + calibration_.calibration.steps.size())
           .arg(calibration_.presses.size()));
-  add(text("Camera"),
-      text("%1, %2 x %3 px")
-          .arg(QString::fromUtf8(to_string(finger.camera.model).data()))
-          .arg(finger.camera.width_px)
-          .arg(finger.camera.height_px));
+  add(text("Camera"), text("%1, %2 x %3 px")
+                          .arg(QString::fromUtf8(to_string(finger.camera.model).data()))
+                          .arg(finger.camera.width_px)
+                          .arg(finger.camera.height_px));
   const QString taken_with = provenance_text("press_settings");
-  add(text("Camera and light"),
-      taken_with.isEmpty() ? text("the pictures do not tell what they were taken with")
-                           : taken_with);
-  add(text("Reference"),
-      provenance_text("reference_date").isEmpty()
-          ? text("installed with this calibration")
-          : text("of %1").arg(when(provenance_text("reference_date"))));
+  add(text("Camera and light"), taken_with.isEmpty()
+                                    ? text("the pictures do not tell what they were taken with")
+                                    : taken_with);
+  add(text("Reference"), provenance_text("reference_date").isEmpty()
+                             ? text("installed with this calibration")
+                             : text("of %1").arg(when(provenance_text("reference_date"))));
   add(text("Mapping"), sentence(calibration_.calibration.degree_choice));
   QStringList settings;
   for (const auto& setting : calibration_settings())
@@ -400,14 +370,10 @@ void ReportPages::add_methods() {
                     {mm(row.joint_depth_mm), {}, 0}});
   }
   document_.heading(text("Other methods on the same presses"));
-  document_.table({text("Method"),
-                   text("Presses"),
-                   text("Mean depth (mm)"),
-                   text("With them in the mapping (mm)"),
-                   text("Reads (mm)"),
-                   text("Joint reads (mm)")},
-                  rows,
-                  {false, true, true, true, true, true});
+  document_.table(
+      {text("Method"), text("Presses"), text("Mean depth (mm)"),
+       text("With them in the mapping (mm)"), text("Reads (mm)"), text("Joint reads (mm)")},
+      rows, {false, true, true, true, true, true});
   document_.paragraph(text(
       "The joint method was used. The others find every ball from its dark border alone and are "
       "here to compare with. Presses: in how many a ball was found, and how deep these went on "
@@ -443,8 +409,7 @@ void ReportPages::add_history() {
   apply_style(plot);
   plot.set_data(std::move(data));
   add_plot(
-      plot,
-      250,
+      plot, 250,
       text("What alltact check --presses found over time. The bands are those of the last check. A "
            "line that climbs: lamps that age, or a layer that wears."));
 }
@@ -458,8 +423,7 @@ void ReportPages::add_repetition() {
       text("Add --exclude NAME to leave a press out, --include NAME to take it back."));
 }
 
-Result<std::vector<ReportFile>> files_of(const Document& report,
-                                         const std::string& date,
+Result<std::vector<ReportFile>> files_of(const Document& report, const std::string& date,
                                          const Job& job) {
   std::string html = report.html();
   if (job.stop_requested()) return stopped();
@@ -509,11 +473,8 @@ void draw_line(QPainter& painter, const QPainterPath& path, Qt::PenStyle style) 
 
 }  // namespace
 
-QImage press_image(const cv::Mat& grey,
-                   const Camera& camera,
-                   const BallFit& ball,
-                   const std::vector<Eigen::Vector2d>& contact_pixels,
-                   const QSize& size) {
+QImage press_image(const cv::Mat& grey, const Camera& camera, const BallFit& ball,
+                   const std::vector<Eigen::Vector2d>& contact_pixels, const QSize& size) {
   const auto outline = ball_outline_px(camera, ball.centre_mm, ball.radius_mm, 180);
   if (outline.size() < 3) return full_image(grey, size);
   QPolygonF polygon;
@@ -559,8 +520,8 @@ QImage full_image(const cv::Mat& grey, const QSize& size) {
   image.fill(QColor("#808080"));
   const QImage small = grey_image(grey).scaled(size, Qt::KeepAspectRatio, Qt::SmoothTransformation);
   QPainter painter(&image);
-  painter.drawImage(
-      (size.width() - small.width()) / 2, (size.height() - small.height()) / 2, small);
+  painter.drawImage((size.width() - small.width()) / 2, (size.height() - small.height()) / 2,
+                    small);
   return image;
 }
 
@@ -573,9 +534,7 @@ struct ReportWriter::Pages {
 };
 
 ReportWriter::ReportWriter(QObject* parent) : QObject(parent) {}
-ReportWriter::~ReportWriter() {
-  stop();
-}
+ReportWriter::~ReportWriter() { stop(); }
 
 void ReportWriter::start(std::shared_ptr<const FingerCalibration> done,
                          const std::filesystem::path& folder) {
@@ -657,8 +616,7 @@ QString ReportPages::press_words(const BallFit& ball) const {
   if (ball.cut_by_edge) words += "\n" + text("cut by the edge");
   if (ball.given_depth)
     words += "\n" + text("measured %1 ± %2 mm deep, the solution has %3 mm")
-                        .arg(mm(ball.given_depth->mm),
-                             sd_number(ball.given_depth->sd_mm, 3),
+                        .arg(mm(ball.given_depth->mm), sd_number(ball.given_depth->sd_mm, 3),
                              mm(ball.indentation_mm));
   return words;
 }
@@ -677,9 +635,8 @@ void ReportPages::add_presses() {
   std::vector<const BallFit*> balls;
   for (const BallFit& ball : calibration_.calibration.balls) balls.push_back(&ball);
   const auto worst = [](const BallFit* ball) { return press_error_mm(*ball).value_or(0.0); };
-  std::stable_sort(balls.begin(), balls.end(), [&](const BallFit* a, const BallFit* b) {
-    return worst(a) > worst(b);
-  });
+  std::stable_sort(balls.begin(), balls.end(),
+                   [&](const BallFit* a, const BallFit* b) { return worst(a) > worst(b); });
   const auto camera = Camera::create(calibration_.finger.camera);
   const QSize size = QSize(kImageWidth, kImageWidth * 3 / 4) * kSharpness;
   std::vector<Document::Row> rows;
@@ -709,15 +666,10 @@ void ReportPages::add_presses() {
                     {text("none"), {}, 0},
                     {percent(press->second->sign.light_change), {}, 0}});
   }
-  document_.image_table({text("Image"),
-                         text("Press"),
-                         text("Depth (mm)"),
-                         text("With this press (mm)"),
-                         text("Error (mm)"),
-                         text("Ball's distance, sd (mm)"),
-                         text("Light (%)")},
-                        rows,
-                        {false, false, true, true, true, true, true});
+  document_.image_table(
+      {text("Image"), text("Press"), text("Depth (mm)"), text("With this press (mm)"),
+       text("Error (mm)"), text("Ball's distance, sd (mm)"), text("Light (%)")},
+      rows, {false, false, true, true, true, true, true});
   document_.paragraph(text(
       "Orange: the outline of the ball as it was found, with its middle. Dashed: what the ball "
       "touches; the dark contact must lie in there, or something else was taken for the ball. "
@@ -733,11 +685,11 @@ void ReportPages::add_left_out() {
   std::vector<Document::Row> rows;
   for (const TakenPress& press : calibration_.presses) {
     if (press.left_out.empty()) continue;
-    rows.push_back({{QString(),
-                     full_image(press.grey, QSize(kImageWidth, kImageWidth * 9 / 16) * kSharpness),
-                     kImageWidth},
-                    {as_text(press.name), {}, 0},
-                    {sentence(press.left_out), {}, 0}});
+    rows.push_back(
+        {{QString(), full_image(press.grey, QSize(kImageWidth, kImageWidth * 9 / 16) * kSharpness),
+          kImageWidth},
+         {as_text(press.name), {}, 0},
+         {sentence(press.left_out), {}, 0}});
   }
   QStringList reasons;
   for (const Message& reason : calibration_.calibration.left_out) {
@@ -763,8 +715,7 @@ void ReportPages::add_light() {
   apply_style(plot);
   plot.set_data(std::move(light), 100 * kOtherLight);
   add_plot(
-      plot,
-      190,
+      plot, 190,
       text("How much brighter the untouched face is than in its reference, in the order in which "
            "the presses were given. Good: all near zero. All alike beyond a dashed line: other "
            "light than when the reference was taken. Up and down: automatic exposure, or light "
@@ -784,8 +735,7 @@ void ReportPages::add_mapping() {
   apply_style(plot);
   plot.set_data(mapping_figure(calibration_.calibration, calibration_.residuals));
   add_plot(
-      plot,
-      340,
+      plot, 340,
       text("Each point is a block of pixels under a ball: how much darker it became, and how deep "
            "the ball is there. The line is the mapping, the band two standard deviations of it. "
            "Good: one narrow cloud around the line, reaching to the deepest presses you will "
@@ -801,8 +751,7 @@ void ReportPages::add_errors() {
   apply_style(bars);
   bars.set_data(press_errors(calibration_.calibration));
   add_plot(
-      bars,
-      bars.comfortable_height(),
+      bars, bars.comfortable_height(),
       text("Good: all bars alike. One bar much longer than the others: look at that press' picture "
            "above, and leave it out if it shows anything but one clean ball. Much longer without "
            "the "
@@ -813,10 +762,10 @@ void ReportPages::add_errors() {
 void ReportPages::add_map(FaceQuantity quantity, const QString& caption) {
   FaceMapPlot plot;
   apply_style(plot);
-  plot.set_data(face_figure(
-      quantity, calibration_.calibration, calibration_.residuals, calibration_.finger.face.kind));
-  const FaceMapData data = face_figure(
-      quantity, calibration_.calibration, calibration_.residuals, calibration_.finger.face.kind);
+  plot.set_data(face_figure(quantity, calibration_.calibration, calibration_.residuals,
+                            calibration_.finger.face.kind));
+  const FaceMapData data = face_figure(quantity, calibration_.calibration, calibration_.residuals,
+                                       calibration_.finger.face.kind);
   // The face in its proportions, within limits.
   const double ratio = data.length_mm > 0 ? data.width_mm / data.length_mm : 0.4;
   add_plot(plot, 62 + static_cast<int>(470 * std::clamp(ratio, 0.2, 0.45)), caption);
@@ -846,8 +795,7 @@ void ReportPages::add_spread() {
   apply_style(histogram);
   histogram.set_data(all_errors(calibration_.residuals), text("Mapping minus ball (mm)"));
   add_plot(
-      histogram,
-      260,
+      histogram, 260,
       text("Errors of all blocks in the inner part of the contacts. Good: one hill around zero. A "
            "second hill or a hill beside zero: something differs between presses."));
 }

@@ -31,17 +31,14 @@ namespace alltact {
 
 /// The files of a finished report; any thread.
 [[nodiscard]] Result<std::vector<ReportFile>> files_of(const Document& report,
-                                                       const std::string& date,
-                                                       const Job& job);
+                                                       const std::string& date, const Job& job);
 
 // Image of a press for visual inspection: the region around the contact, with the ball's outline.
 
 /// The part of an oriented grey image around the ball, scaled to `size` px. It shows the ball's
 /// exact outline as the camera sees it, its centre, and dashed the border of the contact.
 /// `contact_pixels`: of that part; may be empty. Parts beyond the image are grey.
-[[nodiscard]] QImage press_image(const cv::Mat& grey,
-                                 const Camera& camera,
-                                 const BallFit& ball,
+[[nodiscard]] QImage press_image(const cv::Mat& grey, const Camera& camera, const BallFit& ball,
                                  const std::vector<Eigen::Vector2d>& contact_pixels,
                                  const QSize& size);
 

@@ -84,13 +84,9 @@ class PaperLayout {
   QTextDocument& document_;
 };
 
-bool is_in_table(const QTextBlock& block) {
-  return QTextCursor(block).currentTable() != nullptr;
-}
+bool is_in_table(const QTextBlock& block) { return QTextCursor(block).currentTable() != nullptr; }
 
-bool is_section_heading(const QTextBlock& block) {
-  return block.blockFormat().headingLevel() == 2;
-}
+bool is_section_heading(const QTextBlock& block) { return block.blockFormat().headingLevel() == 2; }
 
 QTextBlock last_of_section(const QTextBlock& heading) {
   QTextBlock last = heading;
@@ -102,8 +98,7 @@ QTextBlock last_of_section(const QTextBlock& heading) {
 
 /// Numbers of the blocks that begin a page: figures that would be separated from their captions
 /// and, where requested, sections that would be split.
-std::vector<int> blocks_on_new_pages(const QTextDocument& document,
-                                     QPagedPaintDevice& paper,
+std::vector<int> blocks_on_new_pages(const QTextDocument& document, QPagedPaintDevice& paper,
                                      bool sections_stay_together) {
   const std::unique_ptr<QTextDocument> copy(document.clone());
   const PaperLayout layout(*copy, paper);
@@ -134,9 +129,7 @@ void Document::heading(const QString& text) {
   body_ += escaped(text) + "</h2>\n";
 }
 
-void Document::paragraph(const QString& text) {
-  body_ += "<p>" + escaped(text) + "</p>\n";
-}
+void Document::paragraph(const QString& text) { body_ += "<p>" + escaped(text) + "</p>\n"; }
 
 void Document::box(const QString& first_line, const QString& text, const QColor& colour) {
   body_ += QString(
@@ -169,10 +162,8 @@ void Document::figure(const QImage& image, int width, const QString& caption) {
            escaped(caption) + "</p>\n";
 }
 
-void Document::table(const QStringList& head,
-                     const std::vector<Row>& rows,
-                     const std::vector<bool>& numbers,
-                     const std::vector<int>& widths_percent) {
+void Document::table(const QStringList& head, const std::vector<Row>& rows,
+                     const std::vector<bool>& numbers, const std::vector<int>& widths_percent) {
   const auto align = [&](std::size_t column) {
     QString of;
     if (column < numbers.size() && numbers[column]) of += " align=\"right\"";
@@ -199,8 +190,7 @@ void Document::table(const QStringList& head,
   body_ += "</table>\n";
 }
 
-void Document::image_table(const QStringList& head,
-                           const std::vector<Row>& rows,
+void Document::image_table(const QStringList& head, const std::vector<Row>& rows,
                            const std::vector<bool>& numbers) {
   constexpr std::size_t kRowsOfPage = 7;
   for (std::size_t first = 0; first < rows.size(); first += kRowsOfPage) {
@@ -233,8 +223,8 @@ void Document::print(QPagedPaintDevice& paper) const {
   QTextDocument document;
   document.setDefaultStyleSheet(kPaperStyle);
   for (std::size_t i = 0; i < images_.size(); ++i)
-    document.addResource(
-        QTextDocument::ImageResource, QUrl(QString("picture:%1").arg(i)), images_[i]);
+    document.addResource(QTextDocument::ImageResource, QUrl(QString("picture:%1").arg(i)),
+                         images_[i]);
   document.setHtml(full_html(QString()));
   for (const int number : blocks_on_new_pages(document, paper, sections_stay_together_))
     PaperLayout::begin_page_with(document.findBlockByNumber(number));

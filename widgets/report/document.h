@@ -41,15 +41,12 @@ class Document {
   using Row = std::vector<Cell>;
   /// Empty `head`: none. Columns with `numbers` are right-aligned. `widths_percent` of the columns:
   /// the table is as wide as the page; empty: as wide as its text.
-  void table(const QStringList& head,
-             const std::vector<Row>& rows,
-             const std::vector<bool>& numbers,
-             const std::vector<int>& widths_percent = {});
+  void table(const QStringList& head, const std::vector<Row>& rows,
+             const std::vector<bool>& numbers, const std::vector<int>& widths_percent = {});
 
   /// A table with an image in every row, cut into one for each page of paper, which breaks such
   /// rows badly.
-  void image_table(const QStringList& head,
-                   const std::vector<Row>& rows,
+  void image_table(const QStringList& head, const std::vector<Row>& rows,
                    const std::vector<bool>& numbers);
 
   /// One self-contained file. The same document gives the same bytes.
@@ -71,17 +68,11 @@ class Document {
 
 // Text and number formats of reports.
 
-inline QString as_text(const std::string& text) {
-  return QString::fromStdString(text);
-}
+inline QString as_text(const std::string& text) { return QString::fromStdString(text); }
 
 /// Reports are English.
-inline QString text(const char* words) {
-  return QString::fromUtf8(words);
-}
-inline QString as_text(const Message& message) {
-  return as_text(message.english());
-}
+inline QString text(const char* words) { return QString::fromUtf8(words); }
+inline QString as_text(const Message& message) { return as_text(message.english()); }
 
 /// A message as a sentence: a capital first and a full stop last.
 inline QString sentence(const Message& message) {
@@ -99,13 +90,9 @@ inline QString phrase(const Message& message) {
 }
 
 /// 2026-01-31 12:00:00 UTC
-inline QString when(QString date) {
-  return date.replace('T', ' ').replace('Z', " UTC");
-}
+inline QString when(QString date) { return date.replace('T', ' ').replace('Z', " UTC"); }
 
-inline QString mm(double value, int digits = 3) {
-  return QString::number(value, 'f', digits);
-}
+inline QString mm(double value, int digits = 3) { return QString::number(value, 'f', digits); }
 
 inline QString percent(double part) {
   return (part < 0 ? QString() : QString("+")) + QString::number(100 * part, 'f', 1);

@@ -43,9 +43,7 @@ Document::Row row_of(const ExperimentFigure& figure) {
 
 void add_table(Document& document, const std::vector<Document::Row>& rows) {
   document.table({QString(), text("Ours"), text("Paper"), text("Aim"), text("Unit"), QString()},
-                 rows,
-                 {false, true, true, true, false, false},
-                 {50, 11, 9, 9, 10, 11});
+                 rows, {false, true, true, true, false, false}, {50, 11, 9, 9, 10, 11});
 }
 
 /// All figures that the paper gives or that have a target.
@@ -99,12 +97,12 @@ void add_plots(Document& document, const ExperimentOutcome& outcome) {
     drawn.setFont(font);
     drawn.setPalette(theme_palette(Theme::kLight));
     drawn.set_plot(plot);
-    document.figure(
-        drawn.image({kPlotWidth, kPlotHeight}, kPlotSharpness), kPlotWidth, sentence(plot.caption));
+    document.figure(drawn.image({kPlotWidth, kPlotHeight}, kPlotSharpness), kPlotWidth,
+                    sentence(plot.caption));
   }
   for (const ExperimentMaps& maps : outcome.maps)
-    document.figure(
-        relief_image(maps, kPlotWidth, kPlotSharpness), kPlotWidth, sentence(maps.caption));
+    document.figure(relief_image(maps, kPlotWidth, kPlotSharpness), kPlotWidth,
+                    sentence(maps.caption));
 }
 
 /// How to reproduce it.
@@ -160,14 +158,11 @@ QImage coloured(const cv::Mat_<float>& map_mm, const ColourScale& scale) {
   return image;
 }
 
-void draw_map(QPainter& painter,
-              const ExperimentMap& map,
-              const ColourScale& scale,
+void draw_map(QPainter& painter, const ExperimentMap& map, const ColourScale& scale,
               const QRectF& room) {
   painter.setPen(Qt::black);
   painter.drawText(QRectF(room.left(), room.top(), room.width(), kLine),
-                   Qt::AlignLeft | Qt::AlignVCenter,
-                   sentence(map.name).chopped(1));
+                   Qt::AlignLeft | Qt::AlignVCenter, sentence(map.name).chopped(1));
   const QRectF map_box = room.adjusted(0, kLine, 0, 0);
   painter.drawImage(map_box, coloured(map.mm, scale));
   painter.setPen(QPen(QColor("#4c5158"), 1));
@@ -175,15 +170,12 @@ void draw_map(QPainter& painter,
 }
 
 /// Returns the position of the next one.
-double draw_scale(QPainter& painter,
-                  const ColourScale& scale,
-                  const QString& title,
+double draw_scale(QPainter& painter, const ColourScale& scale, const QString& title,
                   const QRectF& room) {
   constexpr double kHeight = 12, kSide = 14;  // half a number sticks out at either end
   painter.setPen(Qt::black);
   painter.drawText(QRectF(room.left(), room.top(), room.width(), kLine),
-                   Qt::AlignLeft | Qt::AlignVCenter,
-                   title);
+                   Qt::AlignLeft | Qt::AlignVCenter, title);
   const QRectF bar(room.left() + kSide, room.top() + kLine, room.width() - 2 * kSide, kHeight);
   QLinearGradient colours(bar.topLeft(), bar.topRight());
   for (int i = 0; i <= 16; ++i) {
@@ -195,8 +187,7 @@ double draw_scale(QPainter& painter,
     const double part = static_cast<double>(i) / scale.steps;
     const double x = bar.left() + part * bar.width();
     painter.drawLine(QPointF(x, bar.bottom()), QPointF(x, bar.bottom() + 3));
-    painter.drawText(QRectF(x - 30, bar.bottom() + 2, 60, kLine),
-                     Qt::AlignCenter,
+    painter.drawText(QRectF(x - 30, bar.bottom() + 2, 60, kLine), Qt::AlignCenter,
                      QString::number(scale.low_mm + part * (scale.top_mm - scale.low_mm), 'g', 3));
   }
   return bar.bottom() + 2 + kLine;
@@ -208,8 +199,7 @@ void draw_length(QPainter& painter, const QRectF& room, double px_per_mm) {
   painter.drawLine(QPointF(room.left(), y), QPointF(end, y));
   painter.setPen(Qt::black);
   painter.drawText(QRectF(end + kGap, room.top(), room.right() - end, kLine),
-                   Qt::AlignLeft | Qt::AlignVCenter,
-                   QString::number(kLength_mm) + " mm");
+                   Qt::AlignLeft | Qt::AlignVCenter, QString::number(kLength_mm) + " mm");
 }
 
 }  // namespace
@@ -220,8 +210,7 @@ QImage relief_image(const ExperimentMaps& maps, int width, double sharpness) {
   const double map_width = (width - (columns - 1) * kGap - 1) / columns;
   const double map_height = map_width * first.rows / first.cols;
   const double row_height = kLine + map_height;
-  QImage image(qRound(sharpness * width),
-               qRound(sharpness * (2 * row_height + kGap + 1)),
+  QImage image(qRound(sharpness * width), qRound(sharpness * (2 * row_height + kGap + 1)),
                QImage::Format_RGB32);
   image.fill(Qt::white);
   QPainter painter(&image);
@@ -238,8 +227,8 @@ QImage relief_image(const ExperimentMaps& maps, int width, double sharpness) {
   for (int i = 0; i < columns; ++i)
     draw_map(painter, maps.depths[static_cast<std::size_t>(i)], depths, room_of(i, 0));
   for (int i = 0; i < static_cast<int>(maps.differences.size()); ++i)
-    draw_map(
-        painter, maps.differences[static_cast<std::size_t>(i)], differences, room_of(i + 1, 1));
+    draw_map(painter, maps.differences[static_cast<std::size_t>(i)], differences,
+             room_of(i + 1, 1));
   QRectF legend = room_of(0, 1).adjusted(0, 0, -kGap, 0);
   legend.setTop(draw_scale(painter, depths, text("Depth (mm)"), legend) + kGap / 2);
   legend.setTop(draw_scale(painter, differences, text("Told \u2212 true (mm)"), legend) + kGap);
@@ -251,14 +240,10 @@ namespace {
 
 using Style = ExperimentSeries::Style;
 
-QString words_of(const Message& message) {
-  return QString::fromStdString(message.english());
-}
+QString words_of(const Message& message) { return QString::fromStdString(message.english()); }
 
 /// With spaces behind: in a high-resolution image QCustomPlot clips the legend a little too early.
-QString legend_words(const Message& message) {
-  return words_of(message) + QStringLiteral("    ");
-}
+QString legend_words(const Message& message) { return words_of(message) + QStringLiteral("    "); }
 
 constexpr std::size_t kPointsToMark = 30;  // on a line; with more points no markers are drawn
 
@@ -268,10 +253,9 @@ bool is_bar(const ExperimentPlot& plot, const ExperimentSeries& series) {
 }
 
 QCPScatterStyle mark_of(int which, const QColor& colour, double size = 6) {
-  constexpr QCPScatterStyle::ScatterShape kShapes[] = {QCPScatterStyle::ssDisc,
-                                                       QCPScatterStyle::ssSquare,
-                                                       QCPScatterStyle::ssTriangle,
-                                                       QCPScatterStyle::ssDiamond};
+  constexpr QCPScatterStyle::ScatterShape kShapes[] = {
+      QCPScatterStyle::ssDisc, QCPScatterStyle::ssSquare, QCPScatterStyle::ssTriangle,
+      QCPScatterStyle::ssDiamond};
   return {kShapes[which % 4], QPen(colour, 1.5), QBrush(colour), size};
 }
 
@@ -296,9 +280,7 @@ void ExperimentFigurePlot::set_plot(const ExperimentPlot& plot) {
   rebuild();
 }
 
-QString ExperimentFigurePlot::empty_text() const {
-  return tr("Nothing was measured");
-}
+QString ExperimentFigurePlot::empty_text() const { return tr("Nothing was measured"); }
 
 void ExperimentFigurePlot::draw_bars(const ExperimentSeries& series, int which, int of) {
   constexpr double kTogether = 0.7;  // fraction of the distance between two groups
@@ -393,10 +375,9 @@ void ExperimentFigurePlot::set_ranges() {
 
 bool ExperimentFigurePlot::draw() {
   if (plot_.series.empty()) return false;
-  const auto bars = static_cast<int>(
-      std::count_if(plot_.series.begin(), plot_.series.end(), [&](const auto& one) {
-        return is_bar(plot_, one);
-      }));
+  const auto bars =
+      static_cast<int>(std::count_if(plot_.series.begin(), plot_.series.end(),
+                                     [&](const auto& one) { return is_bar(plot_, one); }));
   find_extent();
   int which = 0;
   for (const ExperimentSeries& series : plot_.series) {

@@ -56,8 +56,8 @@ OffscreenDrawing::OffscreenDrawing() : has_room_(has_room_to_draw()) {
 
 Status OffscreenDrawing::ready() const {
   constexpr int kTimeout_ms = 2000;
-  const Error none{
-      en::say("there is not enough memory to draw"), "", en::say("close other programs")};
+  const Error none{en::say("there is not enough memory to draw"), "",
+                   en::say("close other programs")};
   if (!has_room_) return none;
   try {
     std::thread([] {}).join();  // Qt's own pool would wait for ever for a thread that cannot begin
@@ -108,8 +108,7 @@ QByteArray figure_pdf(QSvgRenderer& figure, const QString& title) {
   writer.setResolution(300);
   writer.setPageLayout(
       QPageLayout(QPageSize(QSizeF(figure.defaultSize()) * kPointsPerPixel, QPageSize::Point),
-                  QPageLayout::Portrait,
-                  QMarginsF(0, 0, 0, 0)));
+                  QPageLayout::Portrait, QMarginsF(0, 0, 0, 0)));
   QPainter painter(&writer);
   figure.render(&painter);
   painter.end();
@@ -118,8 +117,7 @@ QByteArray figure_pdf(QSvgRenderer& figure, const QString& title) {
 
 }  // namespace
 
-Result<SvgFigureFiles> svg_figure_files(const std::string& svg,
-                                        const std::string& title,
+Result<SvgFigureFiles> svg_figure_files(const std::string& svg, const std::string& title,
                                         const std::string& date) {
   QSvgRenderer figure(QByteArray::fromStdString(svg));
   if (!figure.isValid()) return Error{en::say("the figure cannot be drawn"), "", ""};

@@ -30,9 +30,9 @@ FaceMesh::~FaceMesh() = default;
 
 void FaceMesh::make_topology(cv::Size size) {
   const int count = size.area();
-  for (vtkDataArray* array : {static_cast<vtkDataArray*>(positions_),
-                              static_cast<vtkDataArray*>(normals_),
-                              static_cast<vtkDataArray*>(colours_)})
+  for (vtkDataArray* array :
+       {static_cast<vtkDataArray*>(positions_), static_cast<vtkDataArray*>(normals_),
+        static_cast<vtkDataArray*>(colours_)})
     array->SetNumberOfTuples(count);
   drawn_ = cv::Mat(size, CV_32FC3, positions_->GetPointer(0));
   make_triangles();
@@ -76,11 +76,8 @@ void FaceMesh::make_triangles() {
   data_->SetPolys(triangles);
 }
 
-void FaceMesh::update(const cv::Mat& untouched_mm,
-                      const cv::Mat& toward_camera_mm,
-                      float exaggeration,
-                      const cv::Mat& value,
-                      const ColourScale& scale) {
+void FaceMesh::update(const cv::Mat& untouched_mm, const cv::Mat& toward_camera_mm,
+                      float exaggeration, const cv::Mat& value, const ColourScale& scale) {
   CV_Assert(untouched_mm.type() == CV_32FC3 && toward_camera_mm.type() == CV_32FC1 &&
             value.type() == CV_32FC1 && untouched_mm.size() == toward_camera_mm.size() &&
             untouched_mm.size() == value.size());
@@ -95,8 +92,7 @@ void FaceMesh::update(const cv::Mat& untouched_mm,
   data_->Modified();
 }
 
-void FaceMesh::set_positions(const cv::Mat& untouched_mm,
-                             const cv::Mat& toward_camera_mm,
+void FaceMesh::set_positions(const cv::Mat& untouched_mm, const cv::Mat& toward_camera_mm,
                              float exaggeration) {
   for (int j = 0; j < drawn_.rows; ++j) {
     const auto* from = untouched_mm.ptr<cv::Vec3f>(j);
@@ -113,8 +109,7 @@ void FaceMesh::set_positions(const cv::Mat& untouched_mm,
 /// the grid and w down it, the normal is
 ///   (w - (0, 0, d_w)) x (t - (0, 0, d_t)) = w x t + (d_w t_y - d_t w_y, d_t w_x - d_w t_x, 0),
 /// of which only the second part comes from the depth. Its steps are those of a 3 x 3 Sobel mask.
-void FaceMesh::update_normals(const cv::Mat& untouched_mm,
-                              const cv::Mat& toward_camera_mm,
+void FaceMesh::update_normals(const cv::Mat& untouched_mm, const cv::Mat& toward_camera_mm,
                               float exaggeration) {
   const int last_row = drawn_.rows - 1, last_column = drawn_.cols - 1;
   const float slope_gain = std::max(exaggeration, kSlopeGain);
@@ -124,8 +119,7 @@ void FaceMesh::update_normals(const cv::Mat& untouched_mm,
     const auto* face = untouched_mm.ptr<cv::Vec3f>(j);
     const auto* above = untouched_mm.ptr<cv::Vec3f>(up);
     const auto* below = untouched_mm.ptr<cv::Vec3f>(low);
-    const float* depth[3] = {toward_camera_mm.ptr<float>(up),
-                             toward_camera_mm.ptr<float>(j),
+    const float* depth[3] = {toward_camera_mm.ptr<float>(up), toward_camera_mm.ptr<float>(j),
                              toward_camera_mm.ptr<float>(low)};
     for (int i = 0; i <= last_column; ++i, normal += 3) {
       const int left = std::max(i - 1, 0), right = std::min(i + 1, last_column);

@@ -30,11 +30,9 @@ class FaceMesh {
   /// `toward_camera_mm` is NaN. The shading uses slopes multiplied by kSlopeGain, so that
   /// hundredths of a millimetre are visible, limited to kMaxSlope.
   ///   untouched_mm: CV_32FC3; toward_camera_mm, value: CV_32FC1 of the same size
-  void update(const cv::Mat& untouched_mm,
-              const cv::Mat& toward_camera_mm,
+  void update(const cv::Mat& untouched_mm, const cv::Mat& toward_camera_mm,
               float exaggeration,  ///< factor on toward_camera_mm
-              const cv::Mat& value,
-              const ColourScale& scale);
+              const cv::Mat& value, const ColourScale& scale);
 
   /// Draws every `stride`-th vertex of the grid, and those at its rims.
   /// True: the stride changed.
@@ -48,11 +46,9 @@ class FaceMesh {
  private:
   void make_topology(cv::Size size);
   void make_triangles();
-  void set_positions(const cv::Mat& untouched_mm,
-                     const cv::Mat& toward_camera_mm,
+  void set_positions(const cv::Mat& untouched_mm, const cv::Mat& toward_camera_mm,
                      float exaggeration);
-  void update_normals(const cv::Mat& untouched_mm,
-                      const cv::Mat& toward_camera_mm,
+  void update_normals(const cv::Mat& untouched_mm, const cv::Mat& toward_camera_mm,
                       float exaggeration);
   void colour(const cv::Mat& value, const ColourScale& scale);
 

@@ -54,9 +54,7 @@ class SceneView {
   };
   /// Fits everything into a window of this size, less the fraction at the right that `used_width`
   /// leaves over.
-  void look_at(const Subject& subject,
-               Viewpoint viewpoint,
-               const int* window_px,
+  void look_at(const Subject& subject, Viewpoint viewpoint, const int* window_px,
                double used_width);
   /// As look_at() left it: nobody turned or moved it since.
   [[nodiscard]] bool is_unchanged() const;
@@ -97,9 +95,7 @@ View view_of(Viewpoint viewpoint, const Eigen::Vector3d& inward) {
   return {tilt + inward, {0, -1, 0}};
 }
 
-void SceneView::look_at(const Subject& subject,
-                        Viewpoint viewpoint,
-                        const int* window_px,
+void SceneView::look_at(const Subject& subject, Viewpoint viewpoint, const int* window_px,
                         double used_width) {
   const View view = view_of(viewpoint, subject.inward);
   const Eigen::Vector3d back = subject.scene_from_camera.direction(view.from.normalized());
@@ -128,8 +124,7 @@ void SceneView::look_at(const Subject& subject,
   }
   if (subject.points.empty()) return;
   const double z_eye = std::max({(rightmost + leftmost) / (right_slope + left_slope),
-                                 (top + bottom) / (2 * up_slope),
-                                 nearest + 1});
+                                 (top + bottom) / (2 * up_slope), nearest + 1});
   const double x_eye = 0.5 * (rightmost - leftmost + (left_slope - right_slope) * z_eye);
   const double y_eye = 0.5 * (top - bottom);
   const Eigen::Vector3d eye = x_eye * right + y_eye * up + z_eye * back;
@@ -137,9 +132,7 @@ void SceneView::look_at(const Subject& subject,
   eye_set_ = eye;
 }
 
-bool SceneView::is_unchanged() const {
-  return eye_set_ && (pose().eye - *eye_set_).norm() < 1e-6;
-}
+bool SceneView::is_unchanged() const { return eye_set_ && (pose().eye - *eye_set_).norm() < 1e-6; }
 
 void SceneView::turn(double right_deg, double up_deg) {
   vtkCamera* camera = renderer_->GetActiveCamera();
@@ -180,14 +173,11 @@ void SceneView::set_view_pose(const ViewPose& pose) {
 
 ViewPose SceneView::pose() const {
   vtkCamera* camera = renderer_->GetActiveCamera();
-  return {Eigen::Vector3d(camera->GetPosition()),
-          Eigen::Vector3d(camera->GetFocalPoint()),
+  return {Eigen::Vector3d(camera->GetPosition()), Eigen::Vector3d(camera->GetFocalPoint()),
           Eigen::Vector3d(camera->GetViewUp())};
 }
 
-void SceneView::reset_clipping() {
-  renderer_->ResetCameraClippingRange();
-}
+void SceneView::reset_clipping() { renderer_->ResetCameraClippingRange(); }
 
 class ColourBar {
  public:
@@ -232,9 +222,7 @@ ColourBar::ColourBar(vtkRenderer* renderer) {
 
 ColourBar::~ColourBar() = default;
 
-void ColourBar::show(bool is_shown) {
-  bar_->SetVisibility(is_shown);
-}
+void ColourBar::show(bool is_shown) { bar_->SetVisibility(is_shown); }
 
 void ColourBar::set_scale(const ColourScale& scale) {
   constexpr int kSteps = 256;
@@ -323,8 +311,8 @@ void MarkActors::draw(const std::vector<Point>& points,
     positions.push_back(point.at);
     if (point.letter >= names_.size()) continue;
     names_[point.letter]->VisibilityOn();
-    names_[point.letter]->GetPositionCoordinate()->SetValue(
-        point.at.x(), point.at.y(), point.at.z());
+    names_[point.letter]->GetPositionCoordinate()->SetValue(point.at.x(), point.at.y(),
+                                                            point.at.z());
   }
   set_points(point_data_, positions);
   set_lines(line_data_, lines);
@@ -452,8 +440,8 @@ void FaceScene::State::aim_camera() {
   if (is_in_gripper)
     for (const auto& more : {second.outline(true), gripper.corners()})
       subject.points.insert(subject.points.end(), more.begin(), more.end());
-  view.look_at(
-      subject, viewpoint, window->GetSize(), ColourBar::free_fraction(window->GetSize(), scale));
+  view.look_at(subject, viewpoint, window->GetSize(),
+               ColourBar::free_fraction(window->GetSize(), scale));
 }
 
 void FaceScene::State::shown(bool is_first) {
@@ -467,16 +455,13 @@ FaceScene::FaceScene(vtkRenderWindow* window) : state_(std::make_unique<State>(w
   window->AddRenderer(state_->renderer);
 }
 
-FaceScene::~FaceScene() {
-  state_->window->RemoveRenderer(state_->renderer);
-}
+FaceScene::~FaceScene() { state_->window->RemoveRenderer(state_->renderer); }
 
 void FaceScene::show(const FaceSurface& surface, const Camera& camera) {
   show_difference(surface, {}, camera);
 }
 
-void FaceScene::show_difference(const FaceSurface& surface,
-                                const cv::Mat& other_mm,
+void FaceScene::show_difference(const FaceSurface& surface, const cv::Mat& other_mm,
                                 const Camera& camera) {
   const bool is_first = !state_->first.is_shown() || state_->is_in_gripper;
   const bool is_other_kind = state_->first.is_difference() == other_mm.empty();
@@ -560,30 +545,22 @@ void FaceScene::fit() {
   if (state_->view.is_unchanged()) state_->aim_camera();
 }
 
-Viewpoint FaceScene::viewpoint() const {
-  return state_->viewpoint;
-}
+Viewpoint FaceScene::viewpoint() const { return state_->viewpoint; }
 
-void FaceScene::turn(double right_deg, double up_deg) {
-  state_->view.turn(right_deg, up_deg);
-}
+void FaceScene::turn(double right_deg, double up_deg) { state_->view.turn(right_deg, up_deg); }
 
 void FaceScene::shift(double right_part, double up_part) {
   state_->view.shift(right_part, up_part);
 }
 
-void FaceScene::dolly(double factor) {
-  state_->view.dolly(factor);
-}
+void FaceScene::dolly(double factor) { state_->view.dolly(factor); }
 
 void FaceScene::set_view_pose(const ViewPose& pose) {
   state_->view.set_view_pose(pose);
   state_->has_view_pose = true;
 }
 
-ViewPose FaceScene::view_pose() const {
-  return state_->view.pose();
-}
+ViewPose FaceScene::view_pose() const { return state_->view.pose(); }
 
 std::optional<cv::Point2d> FaceScene::pixel_at(double x, double y) const {
   const int* size = state_->window->GetSize();
@@ -609,8 +586,6 @@ std::optional<cv::Point2d> FaceScene::window_pixel_of(cv::Point2d pixel) const {
   return cv::Point2d(0.5 * (x + 1) * size[0], 0.5 * (1 - y) * size[1]);
 }
 
-int FaceScene::topologies() const {
-  return state_->first.topologies();
-}
+int FaceScene::topologies() const { return state_->first.topologies(); }
 
 }  // namespace alltact

@@ -89,8 +89,7 @@ cv::Mat side_wall(const cv::Mat& untouched_mm, int row, double deep_mm) {
 }
 
 /// Intersections of the markers' rays with the side faces.
-std::vector<SurfaceMarker> markers_on(const FaceSurface& surface,
-                                      const FaceShape& shape,
+std::vector<SurfaceMarker> markers_on(const FaceSurface& surface, const FaceShape& shape,
                                       const Markers& markers) {
   const double deep_mm = 2 * shape.face().width_mm;  // deeper than any finger's dots
   const std::size_t per_row = markers.size() / 2;
@@ -112,8 +111,8 @@ std::vector<SurfaceMarker> markers_on(const FaceSurface& surface,
 }
 
 /// `depth`: empty where none is known.
-std::optional<FaceSurface> surface_of(
-    const FrameResult& result, const cv::Mat& depth, const Face& face, int columns, int rows) {
+std::optional<FaceSurface> surface_of(const FrameResult& result, const cv::Mat& depth,
+                                      const Face& face, int columns, int rows) {
   CV_Assert(columns >= 2 && rows >= 2);
   const FaceShape& shape = *result.shape;
   const Columns range = columns_of(shape);
@@ -175,18 +174,14 @@ cv::Size grid_for(const FrameResult& result, int vertices) {
           std::max(2, static_cast<int>(std::lround(width / step)))};
 }
 
-std::optional<FaceSurface> face_surface(const FrameResult& result,
-                                        const Face& face,
-                                        int columns,
+std::optional<FaceSurface> face_surface(const FrameResult& result, const Face& face, int columns,
                                         int rows) {
   if (!result.shape || !result.depth) return std::nullopt;
   return surface_of(result, result.depth->depth_mm, face, columns, rows);
 }
 
-std::optional<FaceSurface> uncalibrated_surface(const FrameResult& result,
-                                                const Face& face,
-                                                int columns,
-                                                int rows) {
+std::optional<FaceSurface> uncalibrated_surface(const FrameResult& result, const Face& face,
+                                                int columns, int rows) {
   if (!result.shape) return std::nullopt;
   return surface_of(result, {}, face, columns, rows);
 }
@@ -211,8 +206,7 @@ Eigen::Vector3d at(const cv::Mat& grid, int i, int j) {
 struct Hit {
   double distance, second, third;
 };
-std::optional<Hit> hit(const Eigen::Vector3d& from,
-                       const Eigen::Vector3d& direction,
+std::optional<Hit> hit(const Eigen::Vector3d& from, const Eigen::Vector3d& direction,
                        const std::array<Eigen::Vector3d, 3>& corner) {
   const Eigen::Vector3d one = corner[1] - corner[0], two = corner[2] - corner[0];
   const Eigen::Vector3d p = direction.cross(two);
@@ -230,8 +224,7 @@ std::optional<Hit> hit(const Eigen::Vector3d& from,
 }
 
 /// Bounding sphere test: the ray's distance from the middle is at most half the diagonal.
-bool may_meet(const Eigen::AlignedBox3d& box,
-              const Eigen::Vector3d& from,
+bool may_meet(const Eigen::AlignedBox3d& box, const Eigen::Vector3d& from,
               const Eigen::Vector3d& direction) {
   const Eigen::Vector3d away = box.center() - from;
   const double along = away.dot(direction) / direction.squaredNorm();
@@ -275,8 +268,8 @@ GridBoxes::GridBoxes(const cv::Mat& drawn_mm) : drawn_mm_(drawn_mm) {
   for (int j = 0; j + 1 < drawn_mm.rows; j += kCells)
     for (int i = 0; i + 1 < drawn_mm.cols; i += kCells) {
       Box& box = boxes_.emplace_back();
-      box.cells = {
-          i, j, std::min(kCells, drawn_mm.cols - 1 - i), std::min(kCells, drawn_mm.rows - 1 - j)};
+      box.cells = {i, j, std::min(kCells, drawn_mm.cols - 1 - i),
+                   std::min(kCells, drawn_mm.rows - 1 - j)};
       for (int row = j; row <= j + box.cells.height; ++row)
         for (int column = i; column <= i + box.cells.width; ++column)
           box.bounds.extend(at(drawn_mm, column, row));
@@ -309,8 +302,7 @@ std::optional<cv::Point2d> GridBoxes::first_hit(const Eigen::Vector3d& from,
   return position;
 }
 
-std::optional<cv::Point2d> first_hit(const cv::Mat& drawn_mm,
-                                     const Eigen::Vector3d& from,
+std::optional<cv::Point2d> first_hit(const cv::Mat& drawn_mm, const Eigen::Vector3d& from,
                                      const Eigen::Vector3d& direction) {
   return GridBoxes(drawn_mm).first_hit(from, direction);
 }
@@ -369,8 +361,7 @@ Depths depths_of(const FaceSurface& surface, const std::vector<int>& columns) {
 }
 
 /// A section moved `along_mm` away from the base, and widened on all sides.
-FingerBody::Section moved(const FingerBody::Section& section,
-                          const Eigen::Vector3d& along_mm,
+FingerBody::Section moved(const FingerBody::Section& section, const Eigen::Vector3d& along_mm,
                           double wider_mm) {
   const Eigen::Vector3d middle = 0.25 * (section[0] + section[1] + section[2] + section[3]);
   const Eigen::Vector3d across = (section[1] - section[0]).normalized();

@@ -42,15 +42,12 @@ struct FaceSurface {
 
 /// nullopt where the frame has no face, or no depth. Depth is interpolated between pixels.
 ///   columns, rows: at least 2
-[[nodiscard]] std::optional<FaceSurface> face_surface(const FrameResult& result,
-                                                      const Face& face,
-                                                      int columns,
-                                                      int rows);
+[[nodiscard]] std::optional<FaceSurface> face_surface(const FrameResult& result, const Face& face,
+                                                      int columns, int rows);
 
 /// The same for a finger without calibration: depth is NaN everywhere.
 [[nodiscard]] std::optional<FaceSurface> uncalibrated_surface(const FrameResult& result,
-                                                              const Face& face,
-                                                              int columns,
+                                                              const Face& face, int columns,
                                                               int rows);
 
 /// Columns and rows for about `vertices` vertices, as square as the face's image allows. They are

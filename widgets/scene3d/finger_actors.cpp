@@ -27,9 +27,7 @@ namespace {
 constexpr int kGhostLines = 6;  // along the shorter side of the grid
 constexpr double kAxis_mm = 9;
 
-Eigen::Vector3d to_eigen(const cv::Vec3f& p) {
-  return {p[0], p[1], p[2]};
-}
+Eigen::Vector3d to_eigen(const cv::Vec3f& p) { return {p[0], p[1], p[2]}; }
 
 vtkSmartPointer<vtkMatrix4x4> matrix_of(const RigidTransform& transform) {
   auto matrix = vtkSmartPointer<vtkMatrix4x4>::New();
@@ -122,8 +120,8 @@ void FingerActors::draw_camera(const Camera& camera) {
 
 void FingerActors::apply_style(const SceneColours& colours, double pixels_per_unit) {
   ghost_->GetProperty()->SetColor(0.55, 0.55, 0.55);
-  camera_->GetProperty()->SetColor(
-      colours.text[0] / 255.0, colours.text[1] / 255.0, colours.text[2] / 255.0);
+  camera_->GetProperty()->SetColor(colours.text[0] / 255.0, colours.text[1] / 255.0,
+                                   colours.text[2] / 255.0);
   for (const auto& actor : {ghost_, camera_})
     actor->GetProperty()->SetLineWidth(static_cast<float>(pixels_per_unit));
   body_actors_.apply_style(colours, pixels_per_unit);
@@ -139,11 +137,8 @@ ColourScale FingerActors::colours() const {
 void FingerActors::draw_face() {
   if (!is_shown()) return;
   const cv::Mat value = is_difference() ? surface_.depth_mm - other_mm_ : surface_.depth_mm;
-  mesh_.update(surface_.untouched_mm,
-               surface_.depth_mm,
-               static_cast<float>(options_.exaggeration),
-               value,
-               colours());
+  mesh_.update(surface_.untouched_mm, surface_.depth_mm, static_cast<float>(options_.exaggeration),
+               value, colours());
   boxes_.reset();
   face_->VisibilityOn();
 }
@@ -351,16 +346,12 @@ bool goes_round_towards(const FingerBody::Section& section, const FingerBody::Se
 }
 
 /// The walls between sections, outer sides counterclockwise; `with_face`: the face's side as well.
-void add_walls(Quads& quads,
-               const std::vector<FingerBody::Section>& sections,
-               bool with_face,
+void add_walls(Quads& quads, const std::vector<FingerBody::Section>& sections, bool with_face,
                bool with_first_end) {
   if (sections.size() < 2) return;
   std::vector<std::array<vtkIdType, 4>> ids;
   for (const FingerBody::Section& section : sections)
-    ids.push_back({quads.add(section[0]),
-                   quads.add(section[1]),
-                   quads.add(section[2]),
+    ids.push_back({quads.add(section[0]), quads.add(section[1]), quads.add(section[2]),
                    quads.add(section[3])});
   const bool is_round = goes_round_towards(sections[0], sections[1]);
   const auto quad = [&](vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType d) {
@@ -515,8 +506,7 @@ void Ruler::write(const Eigen::Vector3d& at, const std::string& text) {
   corners_.push_back(at);
 }
 
-void Ruler::draw(const FaceSurface& surface,
-                 double exaggeration,
+void Ruler::draw(const FaceSurface& surface, double exaggeration,
                  const RigidTransform& scene_from_camera) {
   hide();
   const cv::Mat& face = surface.untouched_mm;
@@ -550,8 +540,7 @@ void Ruler::draw(const FaceSurface& surface,
 }
 
 /// At the tip's end of the ticked edge.
-void Ruler::draw_stick(const FaceSurface& surface,
-                       double exaggeration,
+void Ruler::draw_stick(const FaceSurface& surface, double exaggeration,
                        const RigidTransform& scene_from_camera,
                        std::vector<std::vector<Eigen::Vector3d>>& lines) {
   const cv::Mat& face = surface.untouched_mm;

@@ -103,8 +103,7 @@ class Ruler {
   Ruler& operator=(const Ruler&) = delete;
 
   /// `times`: factor on heights; 0: there are none.
-  void draw(const FaceSurface& surface,
-            double exaggeration,
+  void draw(const FaceSurface& surface, double exaggeration,
             const RigidTransform& scene_from_camera);
   void hide();
   void apply_style(const SceneColours& colours, double pixels_per_unit);
@@ -112,8 +111,7 @@ class Ruler {
   [[nodiscard]] const std::vector<Eigen::Vector3d>& corners() const { return corners_; }
 
  private:
-  void draw_stick(const FaceSurface& surface,
-                  double exaggeration,
+  void draw_stick(const FaceSurface& surface, double exaggeration,
                   const RigidTransform& scene_from_camera,
                   std::vector<std::vector<Eigen::Vector3d>>& lines);
   void write(const Eigen::Vector3d& at, const std::string& text);

@@ -157,8 +157,7 @@ bool Interactor::take_mouse(double ratio, QEvent& event) {
   SetEventInformationFlipY(static_cast<int>(std::lround(mouse.position().x() * ratio)),
                            static_cast<int>(std::lround(mouse.position().y() * ratio)),
                            keys.testFlag(Qt::ControlModifier) ? 1 : 0,
-                           keys.testFlag(Qt::ShiftModifier) ? 1 : 0,
-                           0,
+                           keys.testFlag(Qt::ShiftModifier) ? 1 : 0, 0,
                            event.type() == QEvent::MouseButtonDblClick ? 1 : 0);
   SetAltKey(keys.testFlag(Qt::AltModifier) ? 1 : 0);
   if (event.type() == QEvent::MouseMove) {
@@ -284,10 +283,8 @@ void VtkView::prepare_application() {
   format.setVersion(3, 2);
   format.setProfile(QSurfaceFormat::CoreProfile);
   format.setSwapBehavior(QSurfaceFormat::DoubleBuffer);
-  for (const auto set : {&QSurfaceFormat::setRedBufferSize,
-                         &QSurfaceFormat::setGreenBufferSize,
-                         &QSurfaceFormat::setBlueBufferSize,
-                         &QSurfaceFormat::setAlphaBufferSize,
+  for (const auto set : {&QSurfaceFormat::setRedBufferSize, &QSurfaceFormat::setGreenBufferSize,
+                         &QSurfaceFormat::setBlueBufferSize, &QSurfaceFormat::setAlphaBufferSize,
                          &QSurfaceFormat::setDepthBufferSize})
     (format.*set)(8);
   format.setStencilBufferSize(0);
@@ -384,33 +381,19 @@ void VtkView::observe() {
   });
 }
 
-bool VtkView::can_draw() const {
-  return isValid() && state_->window->GetReadyForRendering();
-}
+bool VtkView::can_draw() const { return isValid() && state_->window->GetReadyForRendering(); }
 
-int VtkView::renders() const {
-  return state_->renders;
-}
+int VtkView::renders() const { return state_->renders; }
 
-int VtkView::contexts_made() const {
-  return state_->contexts_made;
-}
+int VtkView::contexts_made() const { return state_->contexts_made; }
 
-int VtkView::contexts_lost() const {
-  return state_->contexts_lost;
-}
+int VtkView::contexts_lost() const { return state_->contexts_lost; }
 
-vtkGenericOpenGLRenderWindow* VtkView::render_window() const {
-  return state_->window;
-}
+vtkGenericOpenGLRenderWindow* VtkView::render_window() const { return state_->window; }
 
-vtkRenderWindow* VtkView::scene_window() const {
-  return state_->window;
-}
+vtkRenderWindow* VtkView::scene_window() const { return state_->window; }
 
-vtkRenderWindowInteractor* VtkView::interactor() const {
-  return state_->interactor;
-}
+vtkRenderWindowInteractor* VtkView::interactor() const { return state_->interactor; }
 
 void VtkView::draw_later() {
   state_->is_dirty = true;
@@ -432,10 +415,7 @@ void VtkView::initializeGL() {
   window->GetState()->vtkglEnable(GL_DEPTH_TEST);
   ++state_->contexts_made;
   state_->is_dirty = true;
-  connect(context(),
-          &QOpenGLContext::aboutToBeDestroyed,
-          this,
-          &VtkView::clean_up,
+  connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &VtkView::clean_up,
           static_cast<Qt::ConnectionType>(Qt::DirectConnection | Qt::UniqueConnection));
   fit_size();
 }
@@ -489,16 +469,8 @@ void VtkView::show_image() {
   const QSize pixels = (QSizeF(size()) * devicePixelRatioF()).toSize();
   const int* source = window->GetRenderFramebuffer()->GetLastSize();
   const bool is_same_size = source[0] == pixels.width() && source[1] == pixels.height();
-  window->BlitDisplayFramebuffer(0,
-                                 0,
-                                 0,
-                                 source[0],
-                                 source[1],
-                                 0,
-                                 0,
-                                 pixels.width(),
-                                 pixels.height(),
-                                 GL_COLOR_BUFFER_BIT,
+  window->BlitDisplayFramebuffer(0, 0, 0, source[0], source[1], 0, 0, pixels.width(),
+                                 pixels.height(), GL_COLOR_BUFFER_BIT,
                                  is_same_size ? GL_NEAREST : GL_LINEAR);
 }
 
@@ -532,8 +504,8 @@ class SurfacelessContext {
     if (display_ == EGL_NO_DISPLAY || eglInitialize(display_, nullptr, nullptr) == EGL_FALSE)
       return;
     if (eglBindAPI(EGL_OPENGL_API) == EGL_FALSE) return;
-    constexpr EGLint kConfig[] = {
-        EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
+    constexpr EGLint kConfig[] = {EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
+                                  EGL_NONE};
     EGLConfig config = nullptr;
     EGLint count = 0;
     if (eglChooseConfig(display_, kConfig, &config, 1, &count) == EGL_FALSE || count == 0) return;
@@ -568,9 +540,7 @@ class SurfacelessContext {
   EGLContext context_ = EGL_NO_CONTEXT;
 };
 
-void observe(RenderWindow* window,
-             unsigned long event,
-             SurfacelessContext& context,
+void observe(RenderWindow* window, unsigned long event, SurfacelessContext& context,
              void (*act)(vtkObject*, unsigned long, void*, void*)) {
   const vtkNew<vtkCallbackCommand> command;
   command->SetClientData(&context);
@@ -594,20 +564,15 @@ struct OffscreenScene::State {
 Result<OffscreenScene> OffscreenScene::create(cv::Size size_px, double pixels_per_unit) {
   auto state = std::make_unique<State>();
   if (!state->context.make_current()) {
-    return Error{en::say("this computer cannot draw in 3D: there is no EGL with OpenGL 3.2"),
-                 "",
+    return Error{en::say("this computer cannot draw in 3D: there is no EGL with OpenGL 3.2"), "",
                  en::say("installing libegl1 and libgl1-mesa-dri, which render in software")};
   }
   RenderWindow* window = state->window;
-  observe(window,
-          vtkCommand::WindowMakeCurrentEvent,
-          state->context,
+  observe(window, vtkCommand::WindowMakeCurrentEvent, state->context,
           [](vtkObject*, unsigned long, void* context, void*) {
             static_cast<void>(static_cast<SurfacelessContext*>(context)->make_current());
           });
-  observe(window,
-          vtkCommand::WindowIsCurrentEvent,
-          state->context,
+  observe(window, vtkCommand::WindowIsCurrentEvent, state->context,
           [](vtkObject*, unsigned long, void* context, void* answer) {
             *static_cast<bool*>(answer) = static_cast<SurfacelessContext*>(context)->is_current();
           });
@@ -629,9 +594,7 @@ OffscreenScene::OffscreenScene(OffscreenScene&&) noexcept = default;
 OffscreenScene& OffscreenScene::operator=(OffscreenScene&&) noexcept = default;
 OffscreenScene::~OffscreenScene() = default;
 
-FaceScene& OffscreenScene::scene() {
-  return *state_->scene;
-}
+FaceScene& OffscreenScene::scene() { return *state_->scene; }
 
 cv::Mat OffscreenScene::image() {
   state_->window->Render();

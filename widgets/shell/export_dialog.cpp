@@ -24,9 +24,7 @@ namespace fs = std::filesystem;
 constexpr int kWorthSymbol = 16;
 constexpr int kIndent = 26;  // a format's description starts below its text, not below the box
 
-QString text_of(const fs::path& path) {
-  return QString::fromStdString(path.string());
-}
+QString text_of(const fs::path& path) { return QString::fromStdString(path.string()); }
 
 }  // namespace
 
@@ -76,13 +74,11 @@ ExportDialog::ExportDialog(const fs::path& finger, QWidget* parent)
   connect(choose_, &QPushButton::clicked, this, &ExportDialog::choose_folder);
   connect(write_, &QPushButton::clicked, this, &ExportDialog::write);
   connect(stop_, &QPushButton::clicked, &work_, &BackgroundWork::stop);
-  connect(copy_, &QPushButton::clicked, this, [this] {
-    QGuiApplication::clipboard()->setText(command_line());
-  });
+  connect(copy_, &QPushButton::clicked, this,
+          [this] { QGuiApplication::clipboard()->setText(command_line()); });
   connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
-  connect(&work_, &BackgroundWork::progressed, this, [this] {
-    progress_->setValue(static_cast<int>(std::lround(100 * work_.fraction())));
-  });
+  connect(&work_, &BackgroundWork::progressed, this,
+          [this] { progress_->setValue(static_cast<int>(std::lround(100 * work_.fraction()))); });
   say([this] {
     setWindowTitle(tr("Export finger"));
     intro_->setText(tr("Data of finger %1, for other programs.").arg(text_of(finger_.filename())));
@@ -118,8 +114,7 @@ void ExportDialog::show_verdict() {
   if (!card_ || is_good) return;
   const Headline headline = headline_of(*card_);
   verdict_symbol_->setPixmap(symbol(meaning_symbol(headline.meaning),
-                                    meaning_colour(headline.meaning, palette()),
-                                    kWorthSymbol,
+                                    meaning_colour(headline.meaning, palette()), kWorthSymbol,
                                     devicePixelRatioF()));
   QStringList sentences{as_sentence(headline.text)};
   if (!card_->findings.empty()) sentences << window_sentence(card_->findings.front());
@@ -257,16 +252,14 @@ void ExportDialog::write() {
   });
 }
 
-void ExportDialog::show_outcome(const Status& status,
-                                const std::vector<fs::path>& written,
+void ExportDialog::show_outcome(const Status& status, const std::vector<fs::path>& written,
                                 const std::vector<fs::path>& left_out) {
   std::vector<Problem> rows;
   if (!status) rows.push_back(Problem::of(status.error()));
   if (!left_out.empty())
     rows.push_back({Meaning::kDoubtful,
                     tr("%n recording(s) that this finger does not use are left out of the zip.",
-                       nullptr,
-                       static_cast<int>(left_out.size())),
+                       nullptr, static_cast<int>(left_out.size())),
                     {},
                     {},
                     {}});

@@ -42,8 +42,7 @@ class ExportDialog : public FittedDialog {
   void show_command();
   void show_running(bool is_running);
   void write();
-  void show_outcome(const Status& status,
-                    const std::vector<std::filesystem::path>& written,
+  void show_outcome(const Status& status, const std::vector<std::filesystem::path>& written,
                     const std::vector<std::filesystem::path>& left_out);
 
   const std::filesystem::path finger_;

@@ -96,9 +96,7 @@ QString evidence_due_text(const FingerCard& card) {
   return FingerCards::tr("Due: read its verdict");
 }
 
-QString in_mm(double value) {
-  return FingerCards::tr("%1 mm").arg(local_mm(value, 3));
-}
+QString in_mm(double value) { return FingerCards::tr("%1 mm").arg(local_mm(value, 3)); }
 
 }  // namespace
 
@@ -213,9 +211,8 @@ QIcon icon_of(const FingerCard& card, const QPalette& palette, double ratio) {
   painter.setPen(Qt::NoPen);
   painter.setBrush(palette.color(QPalette::Base));
   painter.drawEllipse(corner.adjusted(-2, -2, 2, 2));
-  painter.drawPixmap(
-      corner,
-      symbol(meaning_symbol(meaning), meaning_colour(meaning, palette), kCardSymbol, ratio));
+  painter.drawPixmap(corner, symbol(meaning_symbol(meaning), meaning_colour(meaning, palette),
+                                    kCardSymbol, ratio));
   return QIcon(image);
 }
 
@@ -267,8 +264,7 @@ void FingerCards::rebuild() {
     delete item;
   }
   for (std::size_t i = 0; i < cards_.size(); ++i)
-    grid_->addWidget(make_button(cards_[i]),
-                     static_cast<int>(i) / kCardColumns,
+    grid_->addWidget(make_button(cards_[i]), static_cast<int>(i) / kCardColumns,
                      static_cast<int>(i) % kCardColumns);
   fit();
   setVisible(!cards_.empty());
@@ -374,8 +370,7 @@ QString worth_text(const FingerCard& card, const Headline& headline) {
 }  // namespace
 
 std::vector<FingerCard> read_all_fingers(const std::set<fs::path>& folders,
-                                         const std::vector<fs::path>& known,
-                                         const std::string& now,
+                                         const std::vector<fs::path>& known, const std::string& now,
                                          const Job& job) {
   std::set<fs::path> all(known.begin(), known.end());
   for (const fs::path& folder : folders) {
@@ -431,13 +426,8 @@ FingerListDialog::FingerListDialog(std::vector<fs::path> known, QWidget* parent)
   say([this] {
     setWindowTitle(tr("All fingers"));
     list_->setAccessibleName(tr("Fingers"));
-    list_->setHeaderLabels({tr("Finger"),
-                            tr("Quality"),
-                            tr("Error, mm"),
-                            tr("Calibrated"),
-                            tr("Checked"),
-                            tr("Due"),
-                            tr("Folder")});
+    list_->setHeaderLabels({tr("Finger"), tr("Quality"), tr("Error, mm"), tr("Calibrated"),
+                            tr("Checked"), tr("Due"), tr("Folder")});
     open_->setText(tr("&Open"));
     folder_->setText(tr("&Look in another folder…"));
     buttons_->button(QDialogButtonBox::Close)->setText(tr("&Close"));
@@ -462,10 +452,8 @@ void FingerListDialog::fill() {
     const Headline headline = headline_of(card);
     const Meaning meaning = headline.meaning;
     row->setIcon(kListName,
-                 QIcon(symbol(meaning_symbol(meaning),
-                              meaning_colour(meaning, palette()),
-                              kListSymbol,
-                              devicePixelRatioF())));
+                 QIcon(symbol(meaning_symbol(meaning), meaning_colour(meaning, palette()),
+                              kListSymbol, devicePixelRatioF())));
     row->setText(kListName, QString::fromStdString(card.name));
     row->setText(kListWorth, worth_text(card, headline));
     row->setText(kListError, card.error_mm > 0 ? local_mm(card.error_mm, 3) : QString());
@@ -491,9 +479,7 @@ void FingerListDialog::fill() {
   follow_choice();
 }
 
-void FingerListDialog::follow_choice() {
-  open_->setEnabled(list_->currentItem() != nullptr);
-}
+void FingerListDialog::follow_choice() { open_->setEnabled(list_->currentItem() != nullptr); }
 
 void FingerListDialog::choose_folder() {
   auto* dialog = new QFileDialog(this, tr("Folder with fingers"));

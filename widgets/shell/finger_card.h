@@ -109,10 +109,8 @@ class FingerCards : public Translated<QWidget> {
 
 /// The fingers in `known` and all others in the same parent folders.
 [[nodiscard]] std::vector<FingerCard> read_all_fingers(
-    const std::set<std::filesystem::path>& folders,
-    const std::vector<std::filesystem::path>& known,
-    const std::string& now,
-    const Job& job);
+    const std::set<std::filesystem::path>& folders, const std::vector<std::filesystem::path>& known,
+    const std::string& now, const Job& job);
 
 class FingerListDialog : public FittedDialog {
   Q_OBJECT

@@ -35,9 +35,7 @@ Inks inks_of(const QPalette& palette) {
           palette.color(QPalette::Base)};
 }
 
-QPointF interpolated(const QPointF& a, const QPointF& b, double part) {
-  return a + part * (b - a);
-}
+QPointF interpolated(const QPointF& a, const QPointF& b, double part) { return a + part * (b - a); }
 
 /// Along the face from the base (0) to the tip (1), `below` px under its outer side.
 QPointF on_face(double part, double below = 0) {
@@ -70,8 +68,8 @@ QPainterPath face_line(double below, double follows) {
   return path;
 }
 
-void draw_number(
-    QPainter& painter, const Inks& inks, int number, const QPointF& at, const QPointF& to) {
+void draw_number(QPainter& painter, const Inks& inks, int number, const QPointF& at,
+                 const QPointF& to) {
   constexpr double kDisc = 12;
   painter.setPen(QPen(inks.line, 1.2));
   painter.drawLine(at, to);
@@ -82,8 +80,7 @@ void draw_number(
   font.setPixelSize(15);
   font.setBold(true);
   painter.setFont(font);
-  painter.drawText(QRectF(at.x() - kDisc, at.y() - kDisc, 2 * kDisc, 2 * kDisc),
-                   Qt::AlignCenter,
+  painter.drawText(QRectF(at.x() - kDisc, at.y() - kDisc, 2 * kDisc, 2 * kDisc), Qt::AlignCenter,
                    QString::number(number));
 }
 
@@ -142,9 +139,7 @@ void draw_layer(QPainter& painter, const Inks& inks) {
     painter.drawEllipse(on_face(0.12 + 0.15 * i, kLayer + 12 - i), 5 - 0.4 * i, 5 - 0.4 * i);
 }
 
-QPointF ball_centre() {
-  return on_face(kBallAlong, kPressed - kDrawnBallRadius);
-}
+QPointF ball_centre() { return on_face(kBallAlong, kPressed - kDrawnBallRadius); }
 
 void draw_finger(QPainter& painter, const Inks& inks, bool has_numbers) {
   draw_light(painter, inks);
@@ -164,8 +159,8 @@ void draw_finger(QPainter& painter, const Inks& inks, bool has_numbers) {
   draw_number(painter, inks, 7, {474, 264}, on_face(0.72, kLayer + 8));
   draw_number(painter, inks, 8, {150, 290}, {138, 258});
   draw_number(painter, inks, 9, {612, 140}, kTip);
-  draw_number(
-      painter, inks, 10, ball_centre() + QPointF(76, -26), ball_centre() + QPointF(30, -10));
+  draw_number(painter, inks, 10, ball_centre() + QPointF(76, -26),
+              ball_centre() + QPointF(30, -10));
 }
 
 /// The layer magnified: 640 x 320, the camera below.

@@ -47,12 +47,9 @@ NewFingerDialog::NewFingerDialog(FingerMaker maker, QWidget* parent)
   per_row_->setValue(6);
   form_->addRow(new QLabel, folder_row_);
   form_->addRow(new QLabel, camera_row_);
-  for (QWidget* field : {static_cast<QWidget*>(kind_),
-                         static_cast<QWidget*>(width_),
-                         static_cast<QWidget*>(layer_),
-                         static_cast<QWidget*>(plane_),
-                         static_cast<QWidget*>(per_row_),
-                         static_cast<QWidget*>(polarity_)})
+  for (QWidget* field : {static_cast<QWidget*>(kind_), static_cast<QWidget*>(width_),
+                         static_cast<QWidget*>(layer_), static_cast<QWidget*>(plane_),
+                         static_cast<QWidget*>(per_row_), static_cast<QWidget*>(polarity_)})
     form_->addRow(new QLabel, field);
   for (QLineEdit* line : {folder_, camera_}) show_text_as_tip(*line);
   connect(kind_, &QComboBox::currentIndexChanged, this, &NewFingerDialog::show_kind);
@@ -134,8 +131,7 @@ void NewFingerDialog::set_description(const NewFinger& known) {
 
 void NewFingerDialog::show_kind() {
   const bool is_flat = kind_->currentIndex() == 1;
-  for (QWidget* field : {static_cast<QWidget*>(width_),
-                         static_cast<QWidget*>(per_row_),
+  for (QWidget* field : {static_cast<QWidget*>(width_), static_cast<QWidget*>(per_row_),
                          static_cast<QWidget*>(polarity_)}) {
     field->setVisible(!is_flat);
     form_->labelForField(field)->setVisible(!is_flat);

@@ -26,9 +26,8 @@ class SideColumn : public QScrollArea {
     // is shown.
     if (object == widget() &&
         (event->type() == QEvent::LayoutRequest || event->type() == QEvent::Show))
-      setFixedWidth(
-          std::max(least_width_px_,
-                   widget()->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width()));
+      setFixedWidth(std::max(least_width_px_, widget()->minimumSizeHint().width() +
+                                                  verticalScrollBar()->sizeHint().width()));
     return is_handled;
   }
 

@@ -16,9 +16,7 @@ namespace {
 constexpr int kProblemSymbol = 18;
 constexpr int kBetweenAges_ms = 20000;
 
-qint64 now_ms() {
-  return monotonic_ns() / 1000000;
-}
+qint64 now_ms() { return monotonic_ns() / 1000000; }
 
 QString without_numbers(QString text) {
   static const QRegularExpression numbers(QStringLiteral("[0-9][0-9.,]*"));
@@ -75,8 +73,8 @@ void ProblemList::set_problems(std::vector<Problem> problems) {
     else
       before.push_back({std::move(problem), old->since_ms, old->is_dismissed});
   }
-  now.insert(
-      now.end(), std::make_move_iterator(before.begin()), std::make_move_iterator(before.end()));
+  now.insert(now.end(), std::make_move_iterator(before.begin()),
+             std::make_move_iterator(before.end()));
   std::stable_sort(now.begin(), now.end(), [](const ListedProblem& a, const ListedProblem& b) {
     return a.since_ms > b.since_ms;
   });
@@ -148,8 +146,7 @@ QWidget* ProblemList::make_row(const ListedProblem& listed, bool is_first) {
   const QColor colour = meaning_colour(problem.meaning, palette());
   row->setStyleSheet(QStringLiteral("#problem { border: 1px solid %1; border-left: 5px solid %1; "
                                     "background: %2; } #problem:focus { border: 2px solid %3; }")
-                         .arg(colour.name(),
-                              palette().color(QPalette::Base).name(),
+                         .arg(colour.name(), palette().color(QPalette::Base).name(),
                               palette().color(QPalette::Highlight).name()));
   auto* layout = new QHBoxLayout(row);
   layout->setContentsMargins(10, 3, 6, 3);

@@ -44,8 +44,7 @@ struct Flat {
 };
 
 /// Two passes about the mean, to avoid cancellation.
-Flat moments_of(const std::vector<ContactColumn>& columns,
-                const ContactPlane& plane,
+Flat moments_of(const std::vector<ContactColumn>& columns, const ContactPlane& plane,
                 const std::vector<double>& certainty) {
   Flat flat{Eigen::Vector2d::Zero(), Eigen::Matrix2d::Zero()};
   for (std::size_t i = 0; i < columns.size(); ++i) {
@@ -67,8 +66,7 @@ Flat moments_of(const std::vector<ContactColumn>& columns,
 }
 
 /// The slope of log(1 / variance) over the contact, by least squares.
-Eigen::Vector2d log_slope(const std::vector<ContactColumn>& columns,
-                          const ContactPlane& plane,
+Eigen::Vector2d log_slope(const std::vector<ContactColumn>& columns, const ContactPlane& plane,
                           const Flat& flat) {
   double mean_log = 0, weights = 0;
   for (const ContactColumn& column : columns)
@@ -92,8 +90,7 @@ Eigen::Vector2d log_slope(const std::vector<ContactColumn>& columns,
 }
 
 std::vector<double> certainty_of(const std::vector<ContactColumn>& columns,
-                                 const ContactPlane& plane,
-                                 const Flat& flat) {
+                                 const ContactPlane& plane, const Flat& flat) {
   const Eigen::Vector2d slope = log_slope(columns, plane, flat);
   std::vector<double> logs;
   for (const ContactColumn& column : columns)
@@ -106,8 +103,7 @@ std::vector<double> certainty_of(const std::vector<ContactColumn>& columns,
 
 /// correlated_px2: area of pixels with common noise. nullopt: exactly round, or no volume.
 std::optional<PrincipalAxis> principal_axis(const std::vector<ContactColumn>& columns,
-                                            const ContactPlane& plane,
-                                            double correlated_px2) {
+                                            const ContactPlane& plane, double correlated_px2) {
   const Flat alike = moments_of(columns, plane, std::vector<double>(columns.size(), 1.0));
   if (!(alike.weight > 0)) return std::nullopt;
   const std::vector<double> certainty = certainty_of(columns, plane, alike);
@@ -171,14 +167,13 @@ double sd_of_mean(const UntouchedSd& sd, double pixels, const RegionOptions& opt
   return std::hypot(sd.noise / std::sqrt(independent), sd.systematic);
 }
 
-DepthErrorTerms pressed_at(const RegionOptions& options,
-                           const Eigen::Vector2d& pixel,
+DepthErrorTerms pressed_at(const RegionOptions& options, const Eigen::Vector2d& pixel,
                            double depth_mm) {
   DepthErrorTerms causes;
   causes.noise = options.noise_mm;
   if (!options.pressed) return causes;
-  return options.pressed(
-      static_cast<int>(std::lround(pixel.x())), static_cast<int>(std::lround(pixel.y())), depth_mm);
+  return options.pressed(static_cast<int>(std::lround(pixel.x())),
+                         static_cast<int>(std::lround(pixel.y())), depth_mm);
 }
 
 /// The deepest pixel of a contact is a maximum over noisy pixels. Its additional error is a
@@ -189,11 +184,8 @@ double sd_of_deepest(const DepthErrorTerms& causes) {
 }
 
 /// Clears cells that contact-free skin could explain. in_contact: mask of the box.
-void drop_insignificant(const cv::Mat& cells_mm,
-                        const cv::Rect& box,
-                        const RegionOptions& options,
-                        UntouchedCells& untouched,
-                        cv::Mat& in_contact) {
+void drop_insignificant(const cv::Mat& cells_mm, const cv::Rect& box, const RegionOptions& options,
+                        UntouchedCells& untouched, cv::Mat& in_contact) {
   if (!options.untouched) return;
   for (int y = 0; y < box.height; ++y)
     for (int x = 0; x < box.width; ++x) {
@@ -216,11 +208,8 @@ struct CellSums {
 /// the rim, which noise adds or removes, do not move it.
 class SkinCentre {
  public:
-  void add(const CellSums& cell,
-           const Eigen::Vector2d& position_mm,
-           double pixel_mm2,
-           double threshold_mm,
-           double noise_mm) {
+  void add(const CellSums& cell, const Eigen::Vector2d& position_mm, double pixel_mm2,
+           double threshold_mm, double noise_mm) {
     if (weight_ == 0) origin_mm_ = position_mm;
     const Eigen::Vector2d off = position_mm - origin_mm_;
     const double above = cell.depth - threshold_mm * cell.pixels;
@@ -297,11 +286,8 @@ class RegionSums {
     const double middle_depth =
         0.5 * (cell.depth_square - threshold_mm_ * threshold_mm_ * cell.pixels) / above;
     const Eigen::Vector3d off = pressed_mm - origin_mm_;
-    columns_.push_back({off + Eigen::Vector3d(0.0, 0.0, weighted_depth - middle_depth),
-                        off,
-                        above * area->on_face_mm2,
-                        above / cell.pixels,
-                        sd.noise,
+    columns_.push_back({off + Eigen::Vector3d(0.0, 0.0, weighted_depth - middle_depth), off,
+                        above * area->on_face_mm2, above / cell.pixels, sd.noise,
                         cell.pixels * std::pow(area->on_face_mm2 * causes.noise, 2)});
   }
 
@@ -472,16 +458,9 @@ PressedCell pressed_in(const DepthMap& map, const cv::Rect& cell, float threshol
 }
 
 /// The pressed pixels of the cells with a label; the label image begins at the cell `origin`.
-RegionSums sums_of(const DepthMap& depth,
-                   const cv::Mat& labels,
-                   int label,
-                   const cv::Rect& cells,
-                   const cv::Point& origin,
-                   UntouchedCells& untouched,
-                   const FaceShape& shape,
-                   const Face& face,
-                   double threshold_mm,
-                   const RegionOptions& options) {
+RegionSums sums_of(const DepthMap& depth, const cv::Mat& labels, int label, const cv::Rect& cells,
+                   const cv::Point& origin, UntouchedCells& untouched, const FaceShape& shape,
+                   const Face& face, double threshold_mm, const RegionOptions& options) {
   RegionSums sums(shape, face, threshold_mm, (origin.y + cells.y) * kCell, cells.height * kCell);
   const cv::Rect image({0, 0}, depth.depth_mm.size());
   for (int y = cells.y; y < cells.y + cells.height; ++y) {
@@ -496,8 +475,8 @@ RegionSums sums_of(const DepthMap& depth,
       for (std::size_t k = 0; k < pressed.ends.size(); ++k)
         if (const auto& [first, last] = pressed.ends[k]; last >= 0)
           sums.widen(cell.y + static_cast<int>(k), first, last);
-      sums.update_deepest(
-          pressed.deepest_u, pressed.deepest_row, static_cast<double>(pressed.deepest));
+      sums.update_deepest(pressed.deepest_u, pressed.deepest_row,
+                          static_cast<double>(pressed.deepest));
     }
   }
   return sums;
@@ -525,10 +504,8 @@ std::vector<ContactRegion> by_certainty_and_volume(std::vector<FoundRegion>& fou
 
 }  // namespace
 
-std::vector<ContactRegion> contact_regions(const DepthMap& depth,
-                                           const FaceShape& shape,
-                                           const Face& face,
-                                           const RegionOptions& options) {
+std::vector<ContactRegion> contact_regions(const DepthMap& depth, const FaceShape& shape,
+                                           const Face& face, const RegionOptions& options) {
   const double threshold = std::max(options.threshold_mm, 4.0 * options.noise_mm);
   cv::Mat everywhere = depth.cells_mm > threshold;
   // Labels are computed within the bounding box of all cells in contact, and a cell around it.
@@ -578,8 +555,7 @@ std::optional<ContactPlane> contact_plane(const FaceShape& shape, const Eigen::V
   return plane;
 }
 
-std::optional<Eigen::Vector3d> contact_axis(const FaceShape& shape,
-                                            const Eigen::Vector2d& pixel,
+std::optional<Eigen::Vector3d> contact_axis(const FaceShape& shape, const Eigen::Vector2d& pixel,
                                             double angle_deg) {
   const auto plane = contact_plane(shape, pixel);
   if (!plane) return std::nullopt;

@@ -116,8 +116,7 @@ struct RegionOptions {
 /// latter over the square root of the region's width (sd across its axis, mm). It excludes the
 /// uncertainty of lens, mapping and light.
 [[nodiscard]] std::vector<ContactRegion> contact_regions(const DepthMap& depth,
-                                                         const FaceShape& shape,
-                                                         const Face& face,
+                                                         const FaceShape& shape, const Face& face,
                                                          const RegionOptions& options);
 
 // Geometry of a contact in 3D: its axis, the covariance of its position, its outline.

@@ -77,12 +77,9 @@ double ContactEvidence::depth_strength() const {
   return deepest_mm / kContactDepth_mm;
 }
 
-double ContactEvidence::strength() const {
-  return std::max(push_strength(), depth_strength());
-}
+double ContactEvidence::strength() const { return std::max(push_strength(), depth_strength()); }
 
-FingerContact finger_contact(const ContactEvidence& evidence,
-                             const FaceShape& shape,
+FingerContact finger_contact(const ContactEvidence& evidence, const FaceShape& shape,
                              std::optional<PushedFace> before) {
   FingerContact contact;
   const bool has_region = evidence.regions != nullptr && !evidence.regions->empty();
@@ -197,8 +194,7 @@ void ContactState::detect_slip(const Observation& seen, Estimate& estimate) {
     samples_.clear();
     return;
   }
-  const Sample now{*seen.time_s,
-                   *seen.position_mm - Eigen::Vector2d(seen.skin_along_mm, 0),
+  const Sample now{*seen.time_s, *seen.position_mm - Eigen::Vector2d(seen.skin_along_mm, 0),
                    seen.position_covariance_mm2};
   while (!samples_.empty() && now.time_s - samples_.front().time_s > kWindow_s)
     samples_.pop_front();
@@ -232,8 +228,8 @@ ContactEvidence evidence_of(const FingerContactTracker::FrameInput& frame) {
       tip_displacement(*frame.markers, rest, *frame.shape, *frame.displacement_cov_px2);
   if (evidence.displacement && face_of_motion(*evidence.displacement) == PushedFace::kBack &&
       !(evidence.depth_strength() > 1))
-    evidence.along_back = push_along_back(
-        *frame.markers, rest, *frame.shape, *frame.displacement_cov_px2, *evidence.displacement);
+    evidence.along_back = push_along_back(*frame.markers, rest, *frame.shape,
+                                          *frame.displacement_cov_px2, *evidence.displacement);
   return evidence;
 }
 
@@ -299,9 +295,7 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 // by piece and position across; NaN where the face is not seen
 using Patches = std::vector<double>;
 
-std::size_t at(int piece, int across) {
-  return static_cast<std::size_t>(piece * kAcross + across);
-}
+std::size_t at(int piece, int across) { return static_cast<std::size_t>(piece * kAcross + across); }
 
 Patches levels_of(const cv::Mat& grey, const FaceShape& shape) {
   std::vector<double> sum(kPieces * kAcross, 0.0);

@@ -74,8 +74,7 @@ struct ContactEvidence {
 /// Result for a frame with a contact. `before`: the face of the same contact in the frame before,
 /// used where this frame does not determine it. The position on the contact face is that of the
 /// first region; on the sides there is none (push.h).
-[[nodiscard]] FingerContact finger_contact(const ContactEvidence& evidence,
-                                           const FaceShape& shape,
+[[nodiscard]] FingerContact finger_contact(const ContactEvidence& evidence, const FaceShape& shape,
                                            std::optional<PushedFace> before);
 
 /// Mean over all markers of the position of their columns along the face, mm. This is the skin's

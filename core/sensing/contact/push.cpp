@@ -35,9 +35,7 @@ Eigen::MatrixXd displacement_covariance_px2(const Markers& markers,
   return covariance;
 }
 
-Push push_of(const Markers& markers,
-             const ContactSettings& settings,
-             bool base_at_low_u,
+Push push_of(const Markers& markers, const ContactSettings& settings, bool base_at_low_u,
              const Eigen::MatrixXd& displacement_cov_px2) {
   Push result;
   result.offset_px.setZero();
@@ -235,8 +233,7 @@ void BodyMarkers::locate(const Marker& marker, BodyPosition& position) const {
 
 Eigen::Vector3d BodyMarkers::point_of(const BodyPosition& position, const MiddleLine& line) const {
   const LinePose at = pose_at(line, position.cells, length_mm_ / kBeamCells);
-  return {at.x + position.off_mm * std::sin(at.theta),
-          at.y + position.side_mm,
+  return {at.x + position.off_mm * std::sin(at.theta), at.y + position.side_mm,
           at.z - position.off_mm * std::cos(at.theta)};
 }
 
@@ -366,9 +363,7 @@ constexpr double kMaxBend = 0.4;          // q1, of the length
 constexpr double kMaxNoiseRatio = 100.0;  // squared, of the residual without bending
 
 /// From the view face to the back, relative to the length.
-double body_depth(double t) {
-  return 0.28 - 0.18 * t;
-}
+double body_depth(double t) { return 0.28 - 0.18 * t; }
 
 /// K of q1 and q2, up to its scale.
 Eigen::Matrix2d bending_stiffness(double falls) {
@@ -468,8 +463,8 @@ std::optional<AlongFinger> push_along_back(const Markers& markers,
   bends << q1, q2;
   const Eigen::Vector2d free_bends = bends.colPivHouseholderQr().solve(observed);
   const double left = (observed - bends * free_bends).squaredNorm();
-  const auto known = std::count_if(
-      body->positions().begin(), body->positions().end(), [](const auto& p) { return p.is_known; });
+  const auto known = std::count_if(body->positions().begin(), body->positions().end(),
+                                   [](const auto& p) { return p.is_known; });
   const double free = 2.0 * static_cast<double>(known) - 4;  // sway, twist and both bends
   const double times_noise = free > 0 ? std::max(1.0, left / free) : 1.0;
   if (!(times_noise <= kMaxNoiseRatio) ||

@@ -34,10 +34,8 @@ struct Push {
 
 /// `displacement_cov_px2`: the above; empty: without now_px2. Returns no push and offset 0 where
 /// the markers are not those of the settings, or one has no position.
-[[nodiscard]] Push push_of(const Markers& markers,
-                           const ContactSettings& settings,
-                           bool base_at_low_u,
-                           const Eigen::MatrixXd& displacement_cov_px2 = {});
+[[nodiscard]] Push push_of(const Markers& markers, const ContactSettings& settings,
+                           bool base_at_low_u, const Eigen::MatrixXd& displacement_cov_px2 = {});
 
 // The finger as a beam that is clamped at its base: its middle line, and the positions of the
 // markers in it.
@@ -132,9 +130,7 @@ struct TipDisplacement {
 /// force. nullopt: a flat sensor, markers that are not those of `rest`, or too few for both
 /// directions.
 [[nodiscard]] std::optional<TipDisplacement> tip_displacement(
-    const Markers& markers,
-    const std::vector<Eigen::Vector2d>& rest,
-    const FaceShape& shape,
+    const Markers& markers, const std::vector<Eigen::Vector2d>& rest, const FaceShape& shape,
     const Eigen::MatrixXd& displacement_cov_px2);
 
 // Estimates how far from its base the finger is pushed on its back, from the markers alone.
@@ -178,10 +174,7 @@ inline constexpr double kMaxAlongSd = 0.13;
 /// and covariance. nullopt: the push is too small to determine its position, or bends the finger
 /// beyond the range of modes and shape.
 [[nodiscard]] std::optional<AlongFinger> push_along_back(
-    const Markers& markers,
-    const std::vector<Eigen::Vector2d>& rest,
-    const FaceShape& shape,
-    const Eigen::MatrixXd& displacement_cov_px2,
-    const TipDisplacement& displacement);
+    const Markers& markers, const std::vector<Eigen::Vector2d>& rest, const FaceShape& shape,
+    const Eigen::MatrixXd& displacement_cov_px2, const TipDisplacement& displacement);
 
 }  // namespace alltact

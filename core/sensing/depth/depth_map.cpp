@@ -70,8 +70,8 @@ class DepthMapper {
     for (const FaceRun& run : runs) {
       mapping_.depths_mm(x + run.first, depth + run.first, run.size());
       if (!scale_.is_one()) scale_.scale(row, run.first, run.size(), depth + run.first);
-      depth_rows::clamp(
-          max_mm_.data() + run.first, run.size(), depth + run.first, flags + run.first);
+      depth_rows::clamp(max_mm_.data() + run.first, run.size(), depth + run.first,
+                        flags + run.first);
     }
     clear_outside(runs, map_.depth_mm.cols, depth, fill_nan);
     cells_.add_row(row, runs, depth);
@@ -98,15 +98,9 @@ class DepthMapper {
 /// cached. `row_of_x` returns the buffer of a row's differences (only the face's runs are written).
 /// `done` is called when they are complete.
 template <class RowOfX, class Done>
-void compare(const cv::Mat& grey,
-             const Reference& reference,
-             const FaceRuns& face,
-             const DifferenceOptions& options,
-             const LightGain& light,
-             float x_max,
-             cv::Mat& flags,
-             RowOfX row_of_x,
-             Done done) {
+void compare(const cv::Mat& grey, const Reference& reference, const FaceRuns& face,
+             const DifferenceOptions& options, const LightGain& light, float x_max, cv::Mat& flags,
+             RowOfX row_of_x, Done done) {
   CV_Assert(grey.type() == CV_8UC1 && grey.size() == reference.image.size());
   // Both images are smoothed alike before the division, without pixels outside of the face. The
   // weights of the missing neighbours cancel in the ratio, so that dark pixels are not biased.
@@ -127,12 +121,8 @@ void compare(const cv::Mat& grey,
       std::int16_t* live_run = live_row + run.first;
       std::int16_t* untouched_run = untouched_row + run.first;
       std::uint8_t* flags_run = flags.ptr<std::uint8_t>(row) + run.first;
-      if (depth_rows::copy(grey.ptr<std::uint8_t>(row) + run.first,
-                           reference_row + run.first,
-                           darkest,
-                           run.size(),
-                           live_run,
-                           untouched_run)) {
+      if (depth_rows::copy(grey.ptr<std::uint8_t>(row) + run.first, reference_row + run.first,
+                           darkest, run.size(), live_run, untouched_run)) {
         std::fill_n(flags_run, run.size(), std::uint8_t{kMeasured});
       } else {
         depth_rows::mark(darkest, run.size(), live_run, untouched_run, flags_run);
@@ -148,16 +138,10 @@ void compare(const cv::Mat& grey,
     auto* row_flags = flags.ptr<std::uint8_t>(row);
     const std::array<float, 3> light_here = light.of_row(row);
     for (const FaceRun& run : runs) {
-      const depth_rows::SmoothRow smooth{
-          live.smoothed(row, run), untouched.smoothed(row, run), untouched.raw(row, run)};
-      depth_rows::divide(smooth,
-                         is_measured[static_cast<std::size_t>(row)] != 0,
-                         light_here,
-                         run.first,
-                         x_max,
-                         run.size(),
-                         row_flags + run.first,
-                         x + run.first);
+      const depth_rows::SmoothRow smooth{live.smoothed(row, run), untouched.smoothed(row, run),
+                                         untouched.raw(row, run)};
+      depth_rows::divide(smooth, is_measured[static_cast<std::size_t>(row)] != 0, light_here,
+                         run.first, x_max, run.size(), row_flags + run.first, x + run.first);
     }
     clear_outside(runs, grey.cols, row_flags, fill_off_face);
     done(row);
@@ -165,29 +149,22 @@ void compare(const cv::Mat& grey,
 }
 
 /// One frame's noise, grey levels, from which standard deviations are computed.
-double frame_noise(const cv::Mat& grey,
-                   const Reference& reference,
-                   const FaceRuns& face,
+double frame_noise(const cv::Mat& grey, const Reference& reference, const FaceRuns& face,
                    const DifferenceOptions& options) {
   if (!options.measure_noise) return options.noise_sd;
   return noise_against_reference(grey, reference.image, reference.noise_gain, face)
       .value_or(options.noise_sd);
 }
 
-LightGain frame_light(const cv::Mat& grey,
-                      const Reference& reference,
-                      const FaceRuns& face,
-                      const DifferenceOptions& options,
-                      double noise_sd) {
+LightGain frame_light(const cv::Mat& grey, const Reference& reference, const FaceRuns& face,
+                      const DifferenceOptions& options, double noise_sd) {
   if (!options.correct_light) return {};
   return light_gain(grey, reference.image, face, options.noise_sd, reference.noise_gain, noise_sd);
 }
 
 }  // namespace
 
-Difference difference(const cv::Mat& grey,
-                      const Reference& reference,
-                      const FaceShape& shape,
+Difference difference(const cv::Mat& grey, const Reference& reference, const FaceShape& shape,
                       const DifferenceOptions& options) {
   CV_Assert(shape.width_px() == grey.cols);
   Difference result;
@@ -200,14 +177,8 @@ Difference difference(const cv::Mat& grey,
   result.grey_sd = options.smoothing.noise_factor() * noise_sd * result.light.noise_ratio() *
                    std::hypot(1.0, reference.noise_gain);
   compare(
-      grey,
-      reference,
-      result.face,
-      options,
-      result.light,
-      std::numeric_limits<float>::infinity(),
-      result.flags,
-      [&](int row) { return result.x.ptr<float>(row); },
+      grey, reference, result.face, options, result.light, std::numeric_limits<float>::infinity(),
+      result.flags, [&](int row) { return result.x.ptr<float>(row); },
       [&](int row) {
         clear_outside(result.face.of_row(row), grey.cols, result.x.ptr<float>(row), fill_nan);
       });
@@ -227,19 +198,16 @@ DepthMap depth_map(const Difference& difference, const Mapping& mapping, const F
   for (int row = 0; row < difference.x.rows; ++row) {
     const float* x = difference.x.ptr<float>(row);
     for (const FaceRun& run : difference.face.of_row(row))
-      depth_rows::flag_beyond(
-          x + run.first, x_max, run.size(), map.flags.ptr<std::uint8_t>(row) + run.first);
+      depth_rows::flag_beyond(x + run.first, x_max, run.size(),
+                              map.flags.ptr<std::uint8_t>(row) + run.first);
     depth_mapper(row, x);
   }
   depth_mapper.finish();
   return map;
 }
 
-DepthMap depth_map(const cv::Mat& grey,
-                   const Reference& reference,
-                   const FaceShape& shape,
-                   const DifferenceOptions& options,
-                   const Mapping& mapping) {
+DepthMap depth_map(const cv::Mat& grey, const Reference& reference, const FaceShape& shape,
+                   const DifferenceOptions& options, const Mapping& mapping) {
   CV_Assert(shape.width_px() == grey.cols);
   DepthMap map{pooled_image(grey.size(), CV_32FC1),
                pooled_image(grey.size(), CV_8UC1),
@@ -255,15 +223,8 @@ DepthMap depth_map(const cv::Mat& grey,
   DepthMapper depth_mapper(mapping, shape, face, map);
   std::vector<float> x(static_cast<std::size_t>(grey.cols));
   compare(
-      grey,
-      reference,
-      face,
-      options,
-      map.light,
-      static_cast<float>(mapping.x_max()),
-      map.flags,
-      [&](int) { return x.data(); },
-      [&](int row) { depth_mapper(row, x.data()); });
+      grey, reference, face, options, map.light, static_cast<float>(mapping.x_max()), map.flags,
+      [&](int) { return x.data(); }, [&](int row) { depth_mapper(row, x.data()); });
   depth_mapper.finish();
   map.live_sd = options.smoothing.noise_factor() * noise_sd * map.light.noise_ratio();
   map.noise_mm = mapping.slope_mm(0.0) * map.live_sd * std::hypot(1.0, reference.noise_gain) /
@@ -295,8 +256,7 @@ FlagFractions flag_fractions(const cv::Mat& flags, int every_row) {
   for (int v = every_row / 2; v < flags.rows; v += every_row)
     for (int u = 0; u < flags.cols; u += kMaxAtOnce)
       for (std::size_t k = 0; k < counts.size(); ++k)
-        counts[k] += count_of(flags.ptr<std::uint8_t>(v) + u,
-                              std::min(kMaxAtOnce, flags.cols - u),
+        counts[k] += count_of(flags.ptr<std::uint8_t>(v) + u, std::min(kMaxAtOnce, flags.cols - u),
                               static_cast<std::uint8_t>(k));
   counts[kOffFace] = 0;
   double face = 0;
@@ -339,8 +299,7 @@ ALLTACT_WIDE void average_columns(const float* __restrict sum, int cells, float*
 DepthCells::DepthCells(const cv::Size& image_size)
     : image_size_(image_size),
       mean_mm_((image_size.height + kDepthCellPx - 1) / kDepthCellPx,
-               (image_size.width + kDepthCellPx - 1) / kDepthCellPx,
-               CV_32FC1),
+               (image_size.width + kDepthCellPx - 1) / kDepthCellPx, CV_32FC1),
       sum_(static_cast<std::size_t>(mean_mm_.cols * kDepthCellPx), 0.0F) {}
 
 void DepthCells::add_row(int row, std::span<const FaceRun> runs, const float* depth_mm) {
@@ -359,10 +318,8 @@ cv::Mat depth_cells(const cv::Mat& depth_mm) {
   return cells.mean_mm();
 }
 
-std::optional<double> noise_against_reference(const cv::Mat& grey,
-                                              const ReferenceImage& reference,
-                                              double noise_gain,
-                                              const FaceRuns& face) {
+std::optional<double> noise_against_reference(const cv::Mat& grey, const ReferenceImage& reference,
+                                              double noise_gain, const FaceRuns& face) {
   CV_Assert(grey.type() == CV_8UC1 && grey.size() == reference.size());
   constexpr int kRows = 48;                   // are enough
   std::array<std::int64_t, 129> histogram{};  // noise of up to 12 grey levels in both images
@@ -403,13 +360,9 @@ ALLTACT_WIDE void scale_row(const float* __restrict factor, int count, float* __
 }
 
 /// factor + across t, t = (v - middle) per_px within -1 to 1.
-ALLTACT_WIDE void scale_row_across(const float* __restrict factor,
-                                   const float* __restrict across,
-                                   const float* __restrict middle_v,
-                                   const float* __restrict per_px,
-                                   float v,
-                                   int count,
-                                   float* __restrict depth) {
+ALLTACT_WIDE void scale_row_across(const float* __restrict factor, const float* __restrict across,
+                                   const float* __restrict middle_v, const float* __restrict per_px,
+                                   float v, int count, float* __restrict depth) {
   for (int i = 0; i < count; ++i) {
     const float t = (v - middle_v[i]) * per_px[i];
     const float above = t > -1.0F ? t : -1.0F;
@@ -448,13 +401,8 @@ void DepthScale::scale(int v, int first, int count, float* depth_mm) const {
   if (across_.empty())
     scale_row(by_column_.data() + first, count, depth_mm);
   else
-    scale_row_across(by_column_.data() + first,
-                     across_.data() + first,
-                     middle_v_.data() + first,
-                     across_per_px_.data() + first,
-                     static_cast<float>(v),
-                     count,
-                     depth_mm);
+    scale_row_across(by_column_.data() + first, across_.data() + first, middle_v_.data() + first,
+                     across_per_px_.data() + first, static_cast<float>(v), count, depth_mm);
 }
 
 namespace {
@@ -545,9 +493,7 @@ struct Lookup {
 };
 
 /// Depth along z over one pixel; NaN where the pixel that sees the line has no measurement.
-Lookup measure_along_z(const cv::Mat& depth_normal_mm,
-                       const FaceShape& shape,
-                       Profile& profile,
+Lookup measure_along_z(const cv::Mat& depth_normal_mm, const FaceShape& shape, Profile& profile,
                        const FaceShape::Local& here) {
   const double layer_mm = shape.face().layer_mm;
   const Eigen::Vector3d untouched = untouched_point_mm(here, layer_mm, MappingAlong::kZ);
@@ -564,8 +510,7 @@ Lookup measure_along_z(const cv::Mat& depth_normal_mm,
     const double falls_mm = section.normal_y * section.normal_y / section.normal_z * depth;
     const double z_mm = section.z_mm + beyond_mm - falls_mm;
     const Eigen::Vector3d seen_at(untouched.x() - section.normal_x * thickness,
-                                  untouched.y() - section.normal_y * thickness,
-                                  z_mm);
+                                  untouched.y() - section.normal_y * thickness, z_mm);
     const auto pixel = shape.camera().project(seen_at);
     if (!pixel) return {};
     const double found = bilinear(depth_normal_mm, *pixel);
@@ -579,10 +524,8 @@ Lookup measure_along_z(const cv::Mat& depth_normal_mm,
 
 }  // namespace
 
-cv::Mat depth_along_z(const cv::Mat& depth_normal_mm,
-                      const cv::Mat& cells_mm,
-                      const FaceShape& shape,
-                      cv::Mat& flags) {
+cv::Mat depth_along_z(const cv::Mat& depth_normal_mm, const cv::Mat& cells_mm,
+                      const FaceShape& shape, cv::Mat& flags) {
   CV_Assert(depth_normal_mm.type() == CV_32FC1 && depth_normal_mm.cols == shape.width_px() &&
             flags.type() == CV_8UC1 && flags.size() == depth_normal_mm.size());
   cv::Mat depth_mm = depth_normal_mm.clone();

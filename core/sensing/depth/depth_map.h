@@ -88,24 +88,19 @@ struct DifferenceOptions {
 };
 
 /// Compares an image with its reference on the face.
-[[nodiscard]] Difference difference(const cv::Mat& grey,
-                                    const Reference& reference,
-                                    const FaceShape& shape,
-                                    const DifferenceOptions& options);
+[[nodiscard]] Difference difference(const cv::Mat& grey, const Reference& reference,
+                                    const FaceShape& shape, const DifferenceOptions& options);
 
 /// Applies the mapping: depth < 0 where x < 0 (bulge), with flags beyond the calibrated domain. The
 /// layer's thickness limits depths of both signs (along z: layer / cos(incline), incline at most 75
 /// degrees). Noise of contact-free skin has both signs, so means of depth are unbiased. Depths of a
 /// mapping along the normal are converted to depths along z.
-[[nodiscard]] DepthMap depth_map(const Difference& difference,
-                                 const Mapping& mapping,
+[[nodiscard]] DepthMap depth_map(const Difference& difference, const Mapping& mapping,
                                  const FaceShape& shape);
 
 /// Both in one pass, without storing the differences: the same bytes at half the memory traffic.
-[[nodiscard]] DepthMap depth_map(const cv::Mat& grey,
-                                 const Reference& reference,
-                                 const FaceShape& shape,
-                                 const DifferenceOptions& options,
+[[nodiscard]] DepthMap depth_map(const cv::Mat& grey, const Reference& reference,
+                                 const FaceShape& shape, const DifferenceOptions& options,
                                  const Mapping& mapping);
 
 // Mean depth over small square cells: contacts show in a sixteenth of the numbers, with less noise
@@ -181,9 +176,7 @@ class DepthScale {
 /// select the pixels to look up. The result has the size and type of depth_normal_mm and is NaN
 /// where that is. Bulges (depth < 0) are converted alike. A converted pixel takes the flag (CV_8UC1
 /// of PixelFlag) of the pixel that sees its line.
-[[nodiscard]] cv::Mat depth_along_z(const cv::Mat& depth_normal_mm,
-                                    const cv::Mat& cells_mm,
-                                    const FaceShape& shape,
-                                    cv::Mat& flags);
+[[nodiscard]] cv::Mat depth_along_z(const cv::Mat& depth_normal_mm, const cv::Mat& cells_mm,
+                                    const FaceShape& shape, cv::Mat& flags);
 
 }  // namespace alltact

@@ -18,10 +18,8 @@ constexpr std::int16_t kCeiling = kClippedFrom * kGreySteps;
 /// Converts both brightnesses of a row to steps. True when every pixel of it can be measured, as in
 /// nearly all rows.
 ALLTACT_WIDE bool copy_row(const std::uint8_t* __restrict grey,
-                           const std::int16_t* __restrict reference,
-                           std::int16_t darkest,
-                           int count,
-                           std::int16_t* __restrict live_out,
+                           const std::int16_t* __restrict reference, std::int16_t darkest,
+                           int count, std::int16_t* __restrict live_out,
                            std::int16_t* __restrict reference_out) {
   // By lane of a block; reduced once at the end, not in every block.
   std::array<std::int16_t, kBlock> brightest{}, darkest_seen;
@@ -45,11 +43,8 @@ ALLTACT_WIDE bool copy_row(const std::uint8_t* __restrict grey,
 }
 
 /// Flags each pixel of a row that cannot be measured, and sets both brightnesses to 0 there.
-ALLTACT_WIDE void mark_row(std::int16_t darkest,
-                           int count,
-                           std::int16_t* __restrict live,
-                           std::int16_t* __restrict reference,
-                           std::uint8_t* __restrict flags) {
+ALLTACT_WIDE void mark_row(std::int16_t darkest, int count, std::int16_t* __restrict live,
+                           std::int16_t* __restrict reference, std::uint8_t* __restrict flags) {
   constexpr std::int16_t measured = kMeasured, unknown = kNoReference, dark = kTooDark,
                          clipped = kSaturated;
   for (int u = 0; u < count; ++u) {
@@ -77,12 +72,8 @@ constexpr std::array<float, kBlock> kIndices = [] {
 
 /// Fast path of divide_row() for rows without flags. Returns false where a pixel needs a flag,
 /// which few rows do.
-ALLTACT_WIDE bool divide_plain_row(const SmoothRow& row,
-                                   const std::array<float, 3>& light,
-                                   int first_column,
-                                   float x_max,
-                                   int count,
-                                   float* __restrict x) {
+ALLTACT_WIDE bool divide_plain_row(const SmoothRow& row, const std::array<float, 3>& light,
+                                   int first_column, float x_max, int count, float* __restrict x) {
   const SmoothRow from = row;
   const float constant = light[0], slope = light[1], bow = light[2];
   std::array<std::int32_t, kBlock> special{};
@@ -109,13 +100,9 @@ ALLTACT_WIDE bool divide_plain_row(const SmoothRow& row,
 /// measured hardly any of the kernel is left, and its outer weights are negative. Such a pixel
 /// takes the reason of its neighbours: dark or clipped, whichever level is nearer. Measured values
 /// beyond x_max are flagged.
-ALLTACT_WIDE void divide_row(const SmoothRow& row,
-                             std::uint8_t* __restrict flags,
-                             const std::array<float, 3>& light,
-                             int first_column,
-                             float x_max,
-                             int count,
-                             float* __restrict x) {
+ALLTACT_WIDE void divide_row(const SmoothRow& row, std::uint8_t* __restrict flags,
+                             const std::array<float, 3>& light, int first_column, float x_max,
+                             int count, float* __restrict x) {
   constexpr float measured = kMeasured, clipped = kSaturated, dark = kTooDark,
                   extrapolated = kExtrapolated;
   constexpr float kMiddle = 0.5F * kCeiling;
@@ -154,9 +141,7 @@ ALLTACT_WIDE void divide_row(const SmoothRow& row,
       });
 }
 
-ALLTACT_WIDE void flag_row(const float* __restrict x,
-                           float x_max,
-                           int count,
+ALLTACT_WIDE void flag_row(const float* __restrict x, float x_max, int count,
                            std::uint8_t* __restrict flags) {
   constexpr float beyond = kExtrapolated;
   in_blocks(
@@ -169,9 +154,7 @@ ALLTACT_WIDE void flag_row(const float* __restrict x,
       });
 }
 
-ALLTACT_WIDE void clamp_row(const float* __restrict max_mm,
-                            int count,
-                            float* __restrict depth_mm,
+ALLTACT_WIDE void clamp_row(const float* __restrict max_mm, int count, float* __restrict depth_mm,
                             std::uint8_t* __restrict flags) {
   std::array<std::int32_t, kBlock> deeper{};
   in_blocks(
@@ -191,31 +174,18 @@ ALLTACT_WIDE void clamp_row(const float* __restrict max_mm,
 
 }  // namespace
 
-bool copy(const std::uint8_t* grey,
-          const std::int16_t* reference,
-          std::int16_t darkest,
-          int count,
-          std::int16_t* live_out,
-          std::int16_t* reference_out) {
+bool copy(const std::uint8_t* grey, const std::int16_t* reference, std::int16_t darkest, int count,
+          std::int16_t* live_out, std::int16_t* reference_out) {
   return copy_row(grey, reference, darkest, count, live_out, reference_out);
 }
 
-void mark(std::int16_t darkest,
-          int count,
-          std::int16_t* live,
-          std::int16_t* reference,
+void mark(std::int16_t darkest, int count, std::int16_t* live, std::int16_t* reference,
           std::uint8_t* flags) {
   mark_row(darkest, count, live, reference, flags);
 }
 
-void divide(const SmoothRow& row,
-            bool all_measured,
-            const std::array<float, 3>& light,
-            int first_column,
-            float x_max,
-            int count,
-            std::uint8_t* flags,
-            float* x) {
+void divide(const SmoothRow& row, bool all_measured, const std::array<float, 3>& light,
+            int first_column, float x_max, int count, std::uint8_t* flags, float* x) {
   if (all_measured && divide_plain_row(row, light, first_column, x_max, count, x)) return;
   divide_row(row, flags, light, first_column, x_max, count, x);
 }

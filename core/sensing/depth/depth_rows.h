@@ -8,19 +8,12 @@ namespace alltact::depth_rows {
 
 /// Converts both brightnesses of a row to steps (image_warp.h). True when every pixel of it can be
 /// measured, as in nearly all rows. darkest: minimum of the reference, in steps.
-bool copy(const std::uint8_t* grey,
-          const std::int16_t* reference,
-          std::int16_t darkest,
-          int count,
-          std::int16_t* live_out,
-          std::int16_t* reference_out);
+bool copy(const std::uint8_t* grey, const std::int16_t* reference, std::int16_t darkest, int count,
+          std::int16_t* live_out, std::int16_t* reference_out);
 
 /// Flags each pixel of a copied row that cannot be measured (depth_map.h), and sets both
 /// brightnesses to 0 there.
-void mark(std::int16_t darkest,
-          int count,
-          std::int16_t* live,
-          std::int16_t* reference,
+void mark(std::int16_t darkest, int count, std::int16_t* live, std::int16_t* reference,
           std::uint8_t* flags);
 
 /// A smoothed row, its smoothed reference, and the reference before smoothing.
@@ -33,14 +26,8 @@ struct SmoothRow {
 /// any of the kernel is left, and its outer weights are negative. Such a pixel takes the reason of
 /// its neighbours: dark or clipped, whichever level is nearer. Measured values beyond x_max are
 /// flagged. all_measured: every flag is kMeasured.
-void divide(const SmoothRow& row,
-            bool all_measured,
-            const std::array<float, 3>& light,
-            int first_column,
-            float x_max,
-            int count,
-            std::uint8_t* flags,
-            float* x);
+void divide(const SmoothRow& row, bool all_measured, const std::array<float, 3>& light,
+            int first_column, float x_max, int count, std::uint8_t* flags, float* x);
 
 /// Flags values beyond x_max, as divide() does.
 void flag_beyond(const float* x, float x_max, int count, std::uint8_t* flags);

@@ -27,10 +27,8 @@ double DepthErrorTerms::total() const {
                    lateral * lateral);
 }
 
-DepthErrorModel::DepthErrorModel(const DepthMap& depth,
-                                 const Reference& reference,
-                                 const FaceShape& shape,
-                                 const Mapping& mapping)
+DepthErrorModel::DepthErrorModel(const DepthMap& depth, const Reference& reference,
+                                 const FaceShape& shape, const Mapping& mapping)
     : depth_(depth),
       reference_(reference),
       shape_(shape),
@@ -143,8 +141,8 @@ DepthErrorModel::At DepthErrorModel::solved_curve_at(double depth_mm) const {
   return {x, slope_mm};
 }
 
-DepthErrorTerms DepthErrorModel::causes(
-    int u, int v, double level, double depth_mm, ReadCurve read) {
+DepthErrorTerms DepthErrorModel::causes(int u, int v, double level, double depth_mm,
+                                        ReadCurve read) {
   const Eigen::Vector2d position = shape_.position_mm(u, v);
   const double longer = static_cast<double>(along_z_[static_cast<std::size_t>(u)]);
   const double factor = mapping_.parameters().variation.at(position);
@@ -178,9 +176,7 @@ UntouchedSd DepthErrorModel::untouched(int u, int v) {
       per_part * std::hypot(reference_sd(u, v), depth_.light.sd_at(u, v) / depth_.light.at(u, v))};
 }
 
-cv::Mat depth_sd_mm(const DepthMap& depth,
-                    const Reference& reference,
-                    const FaceShape& shape,
+cv::Mat depth_sd_mm(const DepthMap& depth, const Reference& reference, const FaceShape& shape,
                     const Mapping& mapping) {
   DepthErrorModel error(depth, reference, shape, mapping);
   cv::Mat sd = nan_image(depth.depth_mm.size());
@@ -191,10 +187,8 @@ cv::Mat depth_sd_mm(const DepthMap& depth,
   return sd;
 }
 
-std::vector<NamedSdMap> depth_sd_by_cause(const DepthMap& depth,
-                                          const Reference& reference,
-                                          const FaceShape& shape,
-                                          const Mapping& mapping) {
+std::vector<NamedSdMap> depth_sd_by_cause(const DepthMap& depth, const Reference& reference,
+                                          const FaceShape& shape, const Mapping& mapping) {
   DepthErrorModel error(depth, reference, shape, mapping);
   std::vector<NamedSdMap> maps;
   for (const char* name : {"noise", "mapping", "reference", "light", "lateral"})
@@ -250,10 +244,8 @@ std::uint8_t limits_of(const DepthErrorTerms& causes, bool is_doubtful) {
   return limits;
 }
 
-DepthSdAndLimits depth_sd_and_limits(const DepthMap& depth,
-                                     const Reference& reference,
-                                     const FaceShape& shape,
-                                     const Mapping& mapping) {
+DepthSdAndLimits depth_sd_and_limits(const DepthMap& depth, const Reference& reference,
+                                     const FaceShape& shape, const Mapping& mapping) {
   const cv::Size size = depth.depth_mm.size();
   DepthSdAndLimits made{
       cv::Mat(size, CV_32FC1, cv::Scalar(std::numeric_limits<float>::quiet_NaN())),

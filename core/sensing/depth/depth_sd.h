@@ -40,9 +40,7 @@ struct UntouchedSd {
 /// Error model of one frame. Its inputs must outlive it.
 class DepthErrorModel {
  public:
-  DepthErrorModel(const DepthMap& depth,
-                  const Reference& reference,
-                  const FaceShape& shape,
+  DepthErrorModel(const DepthMap& depth, const Reference& reference, const FaceShape& shape,
                   const Mapping& mapping);
 
   /// Calls put(u, causes) for each pixel of row v that has a depth.
@@ -80,10 +78,8 @@ class DepthErrorModel {
 
 /// All causes combined: CV_32FC1, mm along z, NaN where there is no depth. As expensive as the
 /// depth itself, so not computed for every live frame.
-[[nodiscard]] cv::Mat depth_sd_mm(const DepthMap& depth,
-                                  const Reference& reference,
-                                  const FaceShape& shape,
-                                  const Mapping& mapping);
+[[nodiscard]] cv::Mat depth_sd_mm(const DepthMap& depth, const Reference& reference,
+                                  const FaceShape& shape, const Mapping& mapping);
 
 /// Each cause separately, named as in DepthErrorTerms.
 struct NamedSdMap {
@@ -103,11 +99,8 @@ void DepthErrorModel::row(int v, Put put) {
   const float* depth = depth_.depth_mm.ptr<float>(v);
   for (int u = 0; u < depth_.depth_mm.cols; ++u)
     if (depth[u] == depth[u] && grey[u] > 0) {
-      DepthErrorTerms all = causes(u,
-                                   v,
-                                   static_cast<double>(grey[u]) / 64.0,
-                                   static_cast<double>(depth[u]),
-                                   &DepthErrorModel::table_curve_at);
+      DepthErrorTerms all = causes(u, v, static_cast<double>(grey[u]) / 64.0,
+                                   static_cast<double>(depth[u]), &DepthErrorModel::table_curve_at);
       add_lateral(u, v, all);
       put(u, all);
     }
@@ -147,7 +140,6 @@ struct DepthSdAndLimits {
 };
 [[nodiscard]] DepthSdAndLimits depth_sd_and_limits(const DepthMap& depth,
                                                    const Reference& reference,
-                                                   const FaceShape& shape,
-                                                   const Mapping& mapping);
+                                                   const FaceShape& shape, const Mapping& mapping);
 
 }  // namespace alltact

@@ -85,10 +85,7 @@ double ramp(double value, double from, double to) {
 }
 
 /// One step of the re-weighted least squares; returns the inlier fraction of the blocks.
-double refit(const LightBlocks& blocks,
-             double widening,
-             double inlier_fraction,
-             Terms* terms,
+double refit(const LightBlocks& blocks, double widening, double inlier_fraction, Terms* terms,
              LightGain::Covariance* information) {
   auto [normal, pull, weights] = blocks.equations(*terms, kTukey, widening);
   normal.diagonal()[0] += 1.0 / (kConstantSd * kConstantSd);
@@ -187,11 +184,8 @@ LightFit brightest_light(const LightBlocks& blocks, LightFit first) {
 
 }  // namespace
 
-LightGain::LightGain(const cv::Rect& face,
-                     const std::array<double, kTerms>& terms,
-                     double inlier_fraction,
-                     double brighter,
-                     double noise_ratio,
+LightGain::LightGain(const cv::Rect& face, const std::array<double, kTerms>& terms,
+                     double inlier_fraction, double brighter, double noise_ratio,
                      const Covariance& covariance)
     : terms_(terms),
       middle_u_(face.x + 0.5 * face.width),
@@ -223,12 +217,8 @@ double LightGain::sd_at(double u, double v) const {
   return std::sqrt(std::max(0.0, basis.dot(covariance_ * basis)));
 }
 
-LightGain light_gain(const cv::Mat& grey,
-                     const ReferenceImage& reference,
-                     const FaceRuns& face,
-                     double noise_sd,
-                     double noise_gain,
-                     std::optional<double> estimated_sd) {
+LightGain light_gain(const cv::Mat& grey, const ReferenceImage& reference, const FaceRuns& face,
+                     double noise_sd, double noise_gain, std::optional<double> estimated_sd) {
   CV_Assert(grey.type() == CV_8UC1 && grey.size() == reference.size());
   const cv::Rect bounds = bounds_of(face);
   if (bounds.empty()) return {};
@@ -263,12 +253,8 @@ struct LaneBlocks {
   const double* counts;  ///< 1 or 0 by lane, for all of them
 };
 
-ALLTACT_WIDE void add_blocks(const LaneBlocks& first,
-                             std::size_t count,
-                             const double* c,
-                             double tukey2,
-                             double widening2,
-                             double* __restrict sums) {
+ALLTACT_WIDE void add_blocks(const LaneBlocks& first, std::size_t count, const double* c,
+                             double tukey2, double widening2, double* __restrict sums) {
   for (std::size_t g = 0; g < count; g += kLanes)
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
       const std::size_t i = g + lane;
@@ -311,10 +297,8 @@ std::size_t moment_of(int i, int j) {
 
 /// Brightnesses of a row that can be compared, 0 elsewhere, and a flag for each.
 ALLTACT_WIDE void compare_row(const std::uint8_t* __restrict grey,
-                              const std::int16_t* __restrict untouched,
-                              int count,
-                              std::int32_t* __restrict live,
-                              std::int32_t* __restrict reference,
+                              const std::int16_t* __restrict untouched, int count,
+                              std::int32_t* __restrict live, std::int32_t* __restrict reference,
                               std::int32_t* __restrict counts) {
   constexpr std::int32_t darkest = kTooDarkBelow * kGreySteps, ceiling = kClippedFrom * kGreySteps;
   for (int i = 0; i < count; ++i) {
@@ -333,8 +317,7 @@ void LightBlocks::add(const LightBlock& block) {
   ratio_.push_back(block.ratio), noise_.push_back(block.noise), sd_.push_back(block.sd);
 }
 
-LightEquations LightBlocks::equations(const LightTerms& terms,
-                                      double tukey,
+LightEquations LightBlocks::equations(const LightTerms& terms, double tukey,
                                       double widening) const {
   alignas(64) Lanes sums{};
   alignas(64) std::array<double, kLanes> ones;
@@ -370,14 +353,9 @@ LightEquations LightBlocks::equations(const LightTerms& terms,
   return equations;
 }
 
-LightBlocks light_blocks(const cv::Mat& grey,
-                         const ReferenceImage& reference,
-                         const FaceRuns& face,
-                         const cv::Rect& bounds,
-                         double block_count,
-                         double noise_sd,
-                         double noise_gain,
-                         double floor) {
+LightBlocks light_blocks(const cv::Mat& grey, const ReferenceImage& reference, const FaceRuns& face,
+                         const cv::Rect& bounds, double block_count, double noise_sd,
+                         double noise_gain, double floor) {
   LightBlocks blocks;
   const int step = std::max(2, static_cast<int>(std::sqrt(face.pixels() / block_count)));
   const double half_u = 0.5 * bounds.width, half_v = 0.5 * bounds.height;
@@ -389,12 +367,8 @@ LightBlocks light_blocks(const cv::Mat& grey,
     if (runs.empty()) continue;
     const std::int16_t* untouched = reader.row(v, runs);
     for (const FaceRun& run : runs) {
-      compare_row(grey.ptr<std::uint8_t>(v) + run.first,
-                  untouched + run.first,
-                  run.size(),
-                  lives.data(),
-                  references.data(),
-                  counts.data());
+      compare_row(grey.ptr<std::uint8_t>(v) + run.first, untouched + run.first, run.size(),
+                  lives.data(), references.data(), counts.data());
       for (int first = 0; first + step <= run.size(); first += step) {
         int sum = 0, reference_sum = 0, count = 0;
         for (int k = first; k < first + step; ++k) {
@@ -405,10 +379,7 @@ LightBlocks light_blocks(const cv::Mat& grey,
         const double level = static_cast<double>(reference_sum) / kGreySteps;
         const double sd = noise_sd * std::sqrt(count * (1.0 + noise_gain * noise_gain)) / level;
         const double s = (run.first + first + 0.5 * (step - 1) - bounds.x) / half_u - 1.0;
-        blocks.add({s,
-                    (v - bounds.y) / half_v - 1.0,
-                    sum / level,
-                    sd,
+        blocks.add({s, (v - bounds.y) / half_v - 1.0, sum / level, sd,
                     std::sqrt(sd * sd + floor * floor)});
       }
     }

@@ -24,11 +24,8 @@ class LightGain {
   using Covariance = Eigen::Matrix<double, kTerms, kTerms>;
 
   LightGain() = default;  ///< no change
-  LightGain(const cv::Rect& face,
-            const std::array<double, kTerms>& terms,
-            double inlier_fraction,
-            double brighter = 0.0,
-            double noise_ratio = 1.0,
+  LightGain(const cv::Rect& face, const std::array<double, kTerms>& terms, double inlier_fraction,
+            double brighter = 0.0, double noise_ratio = 1.0,
             const Covariance& covariance = Covariance::Zero());
 
   /// Of row v, in ascending powers of the pixel's column.
@@ -67,11 +64,8 @@ class LightGain {
 /// the blocks. noise_gain: the reference's noise relative to it. estimated_sd: noise from second
 /// differences; only noise_ratio() and sd_at() depend on it. Returns no change where the face
 /// cannot be compared.
-[[nodiscard]] LightGain light_gain(const cv::Mat& grey,
-                                   const ReferenceImage& reference,
-                                   const FaceRuns& face,
-                                   double noise_sd,
-                                   double noise_gain,
+[[nodiscard]] LightGain light_gain(const cv::Mat& grey, const ReferenceImage& reference,
+                                   const FaceRuns& face, double noise_sd, double noise_gain,
                                    std::optional<double> estimated_sd = std::nullopt);
 
 // Small blocks of the face with their brightness ratio to the reference; the light's change is
@@ -115,8 +109,7 @@ class LightBlocks {
 
   /// Normal equations of the next step from `terms`. Tukey's biweight weighs each block by its
   /// residual, with `tukey` times its sd combined with `widening` as the limit.
-  [[nodiscard]] LightEquations equations(const LightTerms& terms,
-                                         double tukey,
+  [[nodiscard]] LightEquations equations(const LightTerms& terms, double tukey,
                                          double widening) const;
 
  private:
@@ -126,13 +119,9 @@ class LightBlocks {
 /// About `block_count` blocks of the face, which lies within `bounds`. noise_sd: noise of one
 /// image, grey levels. noise_gain: the reference's noise relative to it. floor: errors of
 /// references apart from noise.
-[[nodiscard]] LightBlocks light_blocks(const cv::Mat& grey,
-                                       const ReferenceImage& reference,
-                                       const FaceRuns& face,
-                                       const cv::Rect& bounds,
-                                       double block_count,
-                                       double noise_sd,
-                                       double noise_gain,
+[[nodiscard]] LightBlocks light_blocks(const cv::Mat& grey, const ReferenceImage& reference,
+                                       const FaceRuns& face, const cv::Rect& bounds,
+                                       double block_count, double noise_sd, double noise_gain,
                                        double floor);
 
 }  // namespace alltact

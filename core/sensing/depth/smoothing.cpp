@@ -77,8 +77,7 @@ struct NearPixels {
 /// sum fits into 16 bits; intermediate sums may wrap around. Returns the largest sum if requested,
 /// at least 0.
 template <bool kLargest, std::size_t... kPair>
-[[gnu::always_inline]] inline std::int16_t convolve_pairs(const NearPixels& given,
-                                                          int count,
+[[gnu::always_inline]] inline std::int16_t convolve_pairs(const NearPixels& given, int count,
                                                           std::int16_t* __restrict out,
                                                           std::index_sequence<kPair...>) {
   const NearPixels near = given;
@@ -112,10 +111,8 @@ template <bool kLargest, std::size_t... kPair>
 }
 
 template <bool kLargest>
-[[gnu::always_inline]] inline std::int16_t convolve_count(const NearPixels& near,
-                                                          int pairs,
-                                                          int count,
-                                                          std::int16_t* out) {
+[[gnu::always_inline]] inline std::int16_t convolve_count(const NearPixels& near, int pairs,
+                                                          int count, std::int16_t* out) {
   switch (pairs) {
     case 2:
       return convolve_pairs<kLargest>(near, count, out, std::make_index_sequence<2>());
@@ -126,15 +123,11 @@ template <bool kLargest>
   }
 }
 
-ALLTACT_WIDE std::int16_t convolve_columns(const NearPixels& near,
-                                           int pairs,
-                                           int count,
+ALLTACT_WIDE std::int16_t convolve_columns(const NearPixels& near, int pairs, int count,
                                            std::int16_t* out) {
   return convolve_count<true>(near, pairs, count, out);
 }
-ALLTACT_WIDE std::int16_t convolve_row(const NearPixels& near,
-                                       int pairs,
-                                       int count,
+ALLTACT_WIDE std::int16_t convolve_row(const NearPixels& near, int pairs, int count,
                                        std::int16_t* out) {
   return convolve_count<false>(near, pairs, count, out);
 }
@@ -171,12 +164,8 @@ ALLTACT_WIDE void double_back(std::int16_t* smooth, int count) {
 /// neighbours(k): the pixels k before and k behind the first of `middle`. Returns the result of
 /// `some`.
 template <class Some, class At>
-std::int16_t convolve(const std::vector<std::int16_t>& weights,
-                      const std::int16_t* middle,
-                      int count,
-                      std::int16_t* out,
-                      Some some,
-                      At neighbours) {
+std::int16_t convolve(const std::vector<std::int16_t>& weights, const std::int16_t* middle,
+                      int count, std::int16_t* out, Some some, At neighbours) {
   const int radius = static_cast<int>(weights.size()) - 1;
   std::int16_t largest = 0;
   for (int done = 0; done < radius; done += kMaxPairs) {
@@ -230,15 +219,13 @@ const std::int16_t* RowSmoother::smoothed(int number, const FaceRun& run) {
   std::fill(sums + run.first - radius_, sums + from, std::int16_t{0});
   std::fill(sums + to, sums + run.end + radius_, std::int16_t{0});
   const std::int16_t largest =
-      convolve(weights_, line(number) + from, to - from, sums + from, convolve_columns, [&](int k) {
-        return std::pair(line(number - k) + from, line(number + k) + from);
-      });
+      convolve(weights_, line(number) + from, to - from, sums + from, convolve_columns,
+               [&](int k) { return std::pair(line(number - k) + from, line(number + k) + from); });
   const bool fits = largest <= kMaxOfPair;
   if (!fits) halve(sums + from, to - from);
   std::int16_t* smooth = smooth_.data() + run.first;
-  convolve(weights_, sums + run.first, run.size(), smooth, convolve_row, [&](int k) {
-    return std::pair(sums + run.first - k, sums + run.first + k);
-  });
+  convolve(weights_, sums + run.first, run.size(), smooth, convolve_row,
+           [&](int k) { return std::pair(sums + run.first - k, sums + run.first + k); });
   if (!fits) double_back(smooth, run.size());
   return smooth;
 }

@@ -52,8 +52,7 @@ struct Seed {
 };
 
 Edge unseen(std::size_t samples) {
-  return {std::vector<double>(samples, 0.0),
-          std::vector<double>(samples, 1.0),
+  return {std::vector<double>(samples, 0.0), std::vector<double>(samples, 1.0),
           std::vector<char>(samples, 0)};
 }
 
@@ -102,8 +101,7 @@ std::vector<double> between_dots(const Followed& followed) {
 
 /// Reads the edge near dots again, with the outside level of its surroundings. A dot near the edge
 /// changes the brightness outside the face and thus the half level.
-void reread_near_dots(const EdgeReader& reader,
-                      const std::vector<double>& columns,
+void reread_near_dots(const EdgeReader& reader, const std::vector<double>& columns,
                       Followed& followed) {
   constexpr double kDotSdPx = 0.1;  // shift of the edge by the blur of a dot
   Edge& edge = followed.edge;
@@ -144,14 +142,12 @@ void remove_strays(Edge& edge) {
 
 /// Follows the edge from a seed to both sides, searching only around its prediction. Returns the
 /// number of samples with an edge.
-int follow(const EdgeReader& reader,
-           const Seed& seed,
-           const std::vector<double>& columns,
+int follow(const EdgeReader& reader, const Seed& seed, const std::vector<double>& columns,
            Edge& found) {
   const auto count = static_cast<int>(columns.size());
   const std::vector<double> none(columns.size());
-  Followed followed{
-      unseen(columns.size()), none, none, none, std::vector<float>(columns.size(), 0.0F)};
+  Followed followed{unseen(columns.size()), none, none, none,
+                    std::vector<float>(columns.size(), 0.0F)};
   Edge& edge = followed.edge;
   int seen = 0;
   for (const int direction : {-1, 1}) {
@@ -202,9 +198,7 @@ bool has_gaps(const Edge& edge) {
 
 }  // namespace
 
-Edge find_edge(const EdgeReader& reader,
-               const RoughEdges& rough,
-               const RoughEdges::Path& path,
+Edge find_edge(const EdgeReader& reader, const RoughEdges& rough, const RoughEdges::Path& path,
                const std::vector<double>& columns) {
   constexpr int kMaxTries = 4;
   const auto count = static_cast<int>(columns.size());
@@ -219,9 +213,8 @@ Edge find_edge(const EdgeReader& reader,
       seeds.push_back(
           {i, v + crossing->offset, slope, crossing->contrast, crossing->outside, crossing->rise});
   }
-  std::stable_sort(seeds.begin(), seeds.end(), [](const Seed& a, const Seed& b) {
-    return a.contrast > b.contrast;
-  });
+  std::stable_sort(seeds.begin(), seeds.end(),
+                   [](const Seed& a, const Seed& b) { return a.contrast > b.contrast; });
   Edge edge = unseen(columns.size());
   int best_seen = -1;
   const auto is_done = [&] { return 2 * best_seen >= count && !has_gaps(edge); };
@@ -252,8 +245,7 @@ std::uint64_t eight_pixels(const std::uint8_t* pixels) {
 }
 
 /// Adds a row to sums of pairs of neighbouring pixels, four sums of 16 bits in each word.
-ALLTACT_WIDE void add_pairs(const std::uint8_t* __restrict row,
-                            int words,
+ALLTACT_WIDE void add_pairs(const std::uint8_t* __restrict row, int words,
                             std::uint64_t* __restrict sums) {
   constexpr std::uint64_t kEvery2nd = 0x00FF00FF00FF00FF;
   for (int i = 0; i < words; ++i) {
@@ -289,8 +281,7 @@ class SumsOfEights {
 };
 
 /// Adds a row to the sums.
-ALLTACT_WIDE void add_grey_row(const std::uint8_t* __restrict row,
-                               int width,
+ALLTACT_WIDE void add_grey_row(const std::uint8_t* __restrict row, int width,
                                std::uint32_t* __restrict sums) {
   for (int u = 0; u < width; ++u) sums[u] += row[u];
 }
@@ -364,11 +355,8 @@ cv::Mat downward_contrast(const cv::Mat& small, double noise_sd) {
 
 /// Best predecessor of every row of a column. `before` holds the scores of the previous column,
 /// padded by kLargestJump values at both ends.
-ALLTACT_WIDE void best_jumps(const float* __restrict before,
-                             const float* __restrict contrast,
-                             float sign,
-                             int rows,
-                             float* __restrict score,
+ALLTACT_WIDE void best_jumps(const float* __restrict before, const float* __restrict contrast,
+                             float sign, int rows, float* __restrict score,
                              float* __restrict jump) {
   for (int r = 0; r < rows; ++r) {
     float best = before[r], best_jump = 0.0F;
@@ -397,12 +385,8 @@ Path best_path(const cv::Mat& contrast, float sign) {
   cv::Mat jumps(cols, rows, CV_32FC1);
   std::fill_n(before.begin() + kLargestJump, rows, 0.0F);
   for (int c = 0; c < cols; ++c) {
-    best_jumps(before.data() + kLargestJump,
-               contrast.ptr<float>(c),
-               sign,
-               rows,
-               score.data() + kLargestJump,
-               jumps.ptr<float>(c));
+    best_jumps(before.data() + kLargestJump, contrast.ptr<float>(c), sign, rows,
+               score.data() + kLargestJump, jumps.ptr<float>(c));
     std::swap(before, score);
   }
   Path path;
@@ -570,9 +554,7 @@ constexpr int kReach =
 
 /// Adds to `sums` the interpolation between two neighbouring rows at each of `count` positions.
 /// `part`: where the edge's own row lies between them. `column` has one value more than `count`.
-ALLTACT_WIDE void add_column(const std::uint8_t* __restrict column,
-                             float part,
-                             int count,
+ALLTACT_WIDE void add_column(const std::uint8_t* __restrict column, float part, int count,
                              float* __restrict sums) {
   for (int i = 0; i < count; ++i) {
     const auto here = static_cast<float>(column[i]), next = static_cast<float>(column[i + 1]);
@@ -650,8 +632,8 @@ class Profile {
 /// Row before the step that is the face's edge: the innermost of all steps of the right sign that
 /// are steep enough. The outer border of a narrow side face and the dots on it are as steep, but
 /// further out. Dots may even be steeper than the expected edge.
-std::optional<std::pair<int, float>> innermost_step(
-    Profile& profile, float sign, bool face_below, int reach, float expected_rise) {
+std::optional<std::pair<int, float>> innermost_step(Profile& profile, float sign, bool face_below,
+                                                    int reach, float expected_rise) {
   constexpr float kMinSteepness = 0.4F;  // fraction of the steepest
   const int first = kReach - reach, last = kReach + reach - 1;
   profile.ensure_rows(first - 2, last + 3);
@@ -691,12 +673,8 @@ Level level_of(const Profile& profile, int from, int to) {
 /// changes along both sides, so that the levels are lines extrapolated to the step. Constants would
 /// bias the crossing towards the side that changes more. `outside`: the level outside the face,
 /// where a dot hides it.
-std::optional<EdgeCrossing> crossing_between_levels(Profile& profile,
-                                                    float sign,
-                                                    bool face_below,
-                                                    int twice_middle,
-                                                    bool blurred,
-                                                    double noise,
+std::optional<EdgeCrossing> crossing_between_levels(Profile& profile, float sign, bool face_below,
+                                                    int twice_middle, bool blurred, double noise,
                                                     std::optional<float> outside) {
   const int near = blurred ? kNearBlurred : kNear, far = blurred ? kFarBlurred : kFar;
   const int inner = (twice_middle + 2 * near) / 2;  // first row of the far side
@@ -726,19 +704,14 @@ std::optional<EdgeCrossing> crossing_between_levels(Profile& profile,
       return EdgeCrossing{i + static_cast<double>(-a) / slope - kReach,
                           std::hypot(kCrossingNoise * noise / slope, 0.02),
                           static_cast<double>(contrast),
-                          static_cast<double>(face_below ? before.mean : after.mean),
-                          slope};
+                          static_cast<double>(face_below ? before.mean : after.mean), slope};
     }
   return std::nullopt;
 }
 
 /// sign: +1 when brightness rises with v; face_below: the face is at larger v.
-std::optional<EdgeCrossing> mid_level_crossing(Profile& profile,
-                                               float sign,
-                                               bool face_below,
-                                               int reach,
-                                               double noise_sd,
-                                               int columns,
+std::optional<EdgeCrossing> mid_level_crossing(Profile& profile, float sign, bool face_below,
+                                               int reach, double noise_sd, int columns,
                                                const ExpectedEdge& expected) {
   const auto step = innermost_step(profile, sign, face_below, reach, expected.rise);
   if (!step) return std::nullopt;
@@ -749,8 +722,8 @@ std::optional<EdgeCrossing> mid_level_crossing(Profile& profile,
   // equally far from the crossing, so the crossing is searched again.
   bool blurred = false;
   for (int round = 0; round < 2; ++round) {
-    crossing = crossing_between_levels(
-        profile, sign, face_below, twice_middle, blurred, noise, expected.outside);
+    crossing = crossing_between_levels(profile, sign, face_below, twice_middle, blurred, noise,
+                                       expected.outside);
     if (!crossing) return std::nullopt;
     blurred = crossing->contrast > kBlurred * crossing->slope;
     twice_middle = static_cast<int>(std::lround(2.0 * (crossing->offset + kReach)));
@@ -760,8 +733,8 @@ std::optional<EdgeCrossing> mid_level_crossing(Profile& profile,
 }
 
 /// The steepest step between two pixels of one column.
-std::optional<EdgeCrossing> integer_step(
-    const cv::Mat& grey, double u, double v, float sign, int reach) {
+std::optional<EdgeCrossing> integer_step(const cv::Mat& grey, double u, double v, float sign,
+                                         int reach) {
   const int column = static_cast<int>(std::lround(u));
   const int centre = static_cast<int>(std::lround(v));
   int best_row = -1, best = 0;
@@ -777,13 +750,13 @@ std::optional<EdgeCrossing> integer_step(
 
 }  // namespace
 
-std::optional<EdgeCrossing> EdgeReader::at(
-    double u, double v, double slope, int reach, const ExpectedEdge& expected) const {
+std::optional<EdgeCrossing> EdgeReader::at(double u, double v, double slope, int reach,
+                                           const ExpectedEdge& expected) const {
   if (options_.method == EdgeMethod::kInteger) return integer_step(grey_, u, v, sign_, reach);
   Profile profile(grey_, u, v, slope, options_.columns);
   if (!profile.is_in_image()) return std::nullopt;
-  return mid_level_crossing(
-      profile, sign_, face_below_, reach, noise_sd_, options_.columns, expected);
+  return mid_level_crossing(profile, sign_, face_below_, reach, noise_sd_, options_.columns,
+                            expected);
 }
 
 }  // namespace alltact

@@ -60,17 +60,14 @@ class EdgeReader {
   static constexpr int kMaxReach = 19;  ///< maximum rows searched on each side
 
   /// sign: +1 when brightness rises with v, else -1; face_below: the face is at larger v.
-  EdgeReader(const cv::Mat& grey,
-             const FaceEdgeFinder::Options& options,
-             double noise_sd,
-             float sign,
-             bool face_below)
+  EdgeReader(const cv::Mat& grey, const FaceEdgeFinder::Options& options, double noise_sd,
+             float sign, bool face_below)
       : grey_(grey), options_(options), noise_sd_(noise_sd), sign_(sign), face_below_(face_below) {}
 
   /// Searches the edge up to `reach` rows (not more than kMaxReach) on each side of (u, v), along
   /// an edge of that slope. nullopt: no edge, or the sample lies outside the image.
-  [[nodiscard]] std::optional<EdgeCrossing> at(
-      double u, double v, double slope, int reach, const ExpectedEdge& expected = {}) const;
+  [[nodiscard]] std::optional<EdgeCrossing> at(double u, double v, double slope, int reach,
+                                               const ExpectedEdge& expected = {}) const;
   /// False: the method does not measure the level outside the face and ignores expectations.
   [[nodiscard]] bool reads_levels() const { return options_.method != EdgeMethod::kInteger; }
 
@@ -87,9 +84,7 @@ class EdgeReader {
 /// leave the face for the outer border of a side face where that has more contrast. Dots next to
 /// the edge are corrected for, and strays beyond its ends are removed. path: of this edge, from
 /// `rough`; columns: of the samples (FaceEdges::u).
-[[nodiscard]] Edge find_edge(const EdgeReader& reader,
-                             const RoughEdges& rough,
-                             const RoughEdges::Path& path,
-                             const std::vector<double>& columns);
+[[nodiscard]] Edge find_edge(const EdgeReader& reader, const RoughEdges& rough,
+                             const RoughEdges::Path& path, const std::vector<double>& columns);
 
 }  // namespace alltact

@@ -31,8 +31,7 @@ Result<FaceEdges> FaceEdgeFinder::operator()(const cv::Mat& grey) const {
   CV_Assert(grey.type() == CV_8UC1);
   FaceEdges edges;
   edges.noise_sd = image_noise_sd(grey);
-  const Error lost{en::say("the two long edges of the face were not found"),
-                   en::say("the image"),
+  const Error lost{en::say("the two long edges of the face were not found"), en::say("the image"),
                    en::say("light the finger as in its recording; check that the image shows the "
                            "face from base to tip, with the finger along the image's width")};
   const auto rough = find_rough_edges(grey, edges.noise_sd);
@@ -70,9 +69,7 @@ constexpr double kMaxSlope = 0.7;
 constexpr double kOnLinePx = 1.2;
 constexpr int kMinStrips = 4;
 
-double square(double x) {
-  return x * x;
-}
+double square(double x) { return x * x; }
 
 /// Straight line through the outermost_samples samples of an edge: v = v0 + slope (u - u0).
 struct EdgeLine {
@@ -80,8 +77,7 @@ struct EdgeLine {
   [[nodiscard]] double at(double u) const { return v0 + slope * (u - u0); }
 };
 
-EdgeLine line_through(const std::vector<double>& u,
-                      const std::vector<double>& v,
+EdgeLine line_through(const std::vector<double>& u, const std::vector<double>& v,
                       const std::vector<std::size_t>& samples) {
   const auto n = static_cast<double>(samples.size());
   double su = 0, sv = 0, suu = 0, suv = 0;
@@ -148,11 +144,9 @@ EndLevel end_level(const std::vector<float>& values, int centre, int first, int 
 }
 
 /// Adds a pixel row to the sums of the columns whose rows [first, last] contain row v.
-ALLTACT_WIDE void add_between(const std::uint8_t* __restrict row,
-                              int v,
+ALLTACT_WIDE void add_between(const std::uint8_t* __restrict row, int v,
                               const std::int32_t* __restrict first,
-                              const std::int32_t* __restrict last,
-                              int count,
+                              const std::int32_t* __restrict last, int count,
                               std::int32_t* __restrict sums) {
   for (int k = 0; k < count; ++k)
     sums[k] += row[k] & -static_cast<std::int32_t>((v >= first[k]) & (v <= last[k]));
@@ -193,15 +187,15 @@ class EndReader {
     for (std::size_t k = 0; k < n; ++k) {
       const int u = from + static_cast<int>(k);
       const double top = upper_.at(u), height = lower_.at(u) - top;
-      first[k] = std::clamp(
-          static_cast<int>(std::lround(top + (centre - half) * height)), 0, grey_.rows - 1);
-      last[k] = std::clamp(
-          static_cast<int>(std::lround(top + (centre + half) * height)), first[k], grey_.rows - 1);
+      first[k] = std::clamp(static_cast<int>(std::lround(top + (centre - half) * height)), 0,
+                            grey_.rows - 1);
+      last[k] = std::clamp(static_cast<int>(std::lround(top + (centre + half) * height)), first[k],
+                           grey_.rows - 1);
       top_row = std::min(top_row, first[k]), bottom_row = std::max(bottom_row, last[k]);
     }
     for (int v = top_row; v <= bottom_row; ++v)
-      add_between(
-          grey_.ptr<std::uint8_t>(v) + from, v, first.data(), last.data(), count_, sums.data());
+      add_between(grey_.ptr<std::uint8_t>(v) + from, v, first.data(), last.data(), count_,
+                  sums.data());
     std::vector<float> brightness(n);
     double rows = 1;
     for (int i = 0; i < count_; ++i) {
@@ -224,9 +218,8 @@ class EndReader {
       found.push_back(*step);
       found.back().v = upper_.at(step->u) + centre * (lower_.at(step->u) - upper_.at(step->u));
     }
-    std::stable_sort(found.begin(), found.end(), [](const Step& a, const Step& b) {
-      return a.contrast > b.contrast;
-    });
+    std::stable_sort(found.begin(), found.end(),
+                     [](const Step& a, const Step& b) { return a.contrast > b.contrast; });
     if (found.size() > kMaxSteps) found.resize(kMaxSteps);
     for (Step& step : found) step.u -= bow_at(step.u) * square(step.v - middle_at(step.u));
   }
@@ -263,9 +256,7 @@ class EndReader {
   }
 
   /// The nearest step of a strip on the line; nullptr where there is none.
-  [[nodiscard]] const Step* on_line(const std::vector<Step>& steps,
-                                    double u0,
-                                    double v0,
+  [[nodiscard]] const Step* on_line(const std::vector<Step>& steps, double u0, double v0,
                                     double slope) const {
     const Step* nearest = nullptr;
     double nearest_px = kOnLinePx;
@@ -365,9 +356,7 @@ Outline outline_of(const FaceEdges& edges) {
 struct Slopes {
   double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
 
-  void add(const Outline& outline,
-           const std::vector<double>& v,
-           std::size_t first,
+  void add(const Outline& outline, const std::vector<double>& v, std::size_t first,
            std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       const double slope = (v[i + 1] - v[i]) / (outline.u[i + 1] - outline.u[i]);

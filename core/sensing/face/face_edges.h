@@ -49,8 +49,7 @@ struct FaceEnds {
 /// contrast is the end. An object that presses on the end hides some strips and shows its own
 /// border in others, which is not straight across. With a view the line is straight on the finger,
 /// else in the image.
-[[nodiscard]] FaceEnds find_face_ends(const cv::Mat& grey,
-                                      const FaceEdges& edges,
+[[nodiscard]] FaceEnds find_face_ends(const cv::Mat& grey, const FaceEdges& edges,
                                       const FaceView* view = nullptr);
 
 /// One of the two edges of the view face, sampled at the columns FaceEdges::u. Positions in pixels

@@ -26,9 +26,7 @@ FaceRuns by_rows(const std::vector<FaceRun>& closed, int height) {
 
 }  // namespace
 
-FaceRuns face_runs(const FaceShape& shape,
-                   double margin_px,
-                   const cv::Size& size,
+FaceRuns face_runs(const FaceShape& shape, double margin_px, const cv::Size& size,
                    const cv::Range& columns) {
   const int width = std::min(size.width, shape.width_px());
   // First column of a row's open run

@@ -36,9 +36,7 @@ struct FaceRuns {
 };
 
 /// The pixels at least `margin_px` inside the edges of the face, in valid columns among `columns`.
-[[nodiscard]] FaceRuns face_runs(const FaceShape& shape,
-                                 double margin_px,
-                                 const cv::Size& size,
+[[nodiscard]] FaceRuns face_runs(const FaceShape& shape, double margin_px, const cv::Size& size,
                                  const cv::Range& columns = cv::Range::all());
 
 /// Mean brightness of the face, grey levels, from a subset of its rows; 1 without a face.

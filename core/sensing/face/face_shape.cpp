@@ -28,19 +28,15 @@ double outermost(const FaceEnd& end, double upper_v, double lower_v, int outward
 }
 
 Error no_shape(Message what) {
-  return {std::move(what),
-          en::say("the face's edges"),
+  return {std::move(what), en::say("the face's edges"),
           en::say("an image in which both long edges of the bright face are visible and lit "
                   "evenly; check that the lamps are on and that the lens is clean")};
 }
 
 }  // namespace
 
-Result<FaceShape> FaceShape::fit(const FaceEdges& edges,
-                                 const Camera& camera,
-                                 const Face& face,
-                                 int degree,
-                                 double z_sd_limit_mm) {
+Result<FaceShape> FaceShape::fit(const FaceEdges& edges, const Camera& camera, const Face& face,
+                                 int degree, double z_sd_limit_mm) {
   if (!camera.is_perspective())
     return no_shape(
         en::say("the shape of a Fin Ray needs a perspective camera, not an orthographic one"));
@@ -103,10 +99,10 @@ Result<FaceShape> FaceShape::fit(const FaceEdges& edges,
   }
   shape.scale_ = scale;
   // Between the trusted edges and a dark end the edges are extrapolated and may be far off.
-  const bool is_fitted =
-      camera.is_linear() ? shape.set_edges(*upper, *lower)
-                         : shape.fit_inverse_depth(
-                               std::max(first, seen_first), std::min(last, seen_last), edge_degree);
+  const bool is_fitted = camera.is_linear()
+                             ? shape.set_edges(*upper, *lower)
+                             : shape.fit_inverse_depth(std::max(first, seen_first),
+                                                       std::min(last, seen_last), edge_degree);
   if (!is_fitted) return no_shape(en::say("no smooth shape fits them"));
 
   constexpr int kSdStep = 8;  // the standard deviation changes slowly along the face
@@ -218,10 +214,9 @@ std::optional<FaceShape::RayHit> FaceShape::ray_hit_at(double u, double v) const
   if (!ray) return std::nullopt;
   if (!camera_.is_perspective())
     return RayHit{*ray, {face_.plane_z_mm, 1.0, 1.0, Eigen::Vector3d::UnitZ()}};
-  const auto found =
-      across_of(*ray,
-                u == static_cast<double>(nearest) ? std::optional(static_cast<std::size_t>(nearest))
-                                                  : std::nullopt);
+  const auto found = across_of(*ray, u == static_cast<double>(nearest)
+                                         ? std::optional(static_cast<std::size_t>(nearest))
+                                         : std::nullopt);
   if (!found || !(found->z_mm > 0.0)) return std::nullopt;
   return RayHit{*ray, *found};
 }
@@ -248,8 +243,7 @@ std::optional<FaceShape::PixelArea> FaceShape::pixel_area(double u, double v) co
 
 // With q = 1/z a function of x and y the tangent plane of the face is q_x X + q_y Y + c Z = 1, c =
 // q - x q_x - y q_y: its normal needs no division by a slope and no cosine.
-std::optional<FaceShape::Across> FaceShape::across_from(double x,
-                                                        double y,
+std::optional<FaceShape::Across> FaceShape::across_from(double x, double y,
                                                         const InverseDepth& inverse) {
   const double q = inverse.at(y);
   if (!(q > 0.0)) return std::nullopt;
@@ -284,8 +278,7 @@ double FaceShape::ray_area(const Ray& ray, double u, double v, double inverse_z)
   return std::abs(du.x() * dv.y() - du.y() * dv.x()) / (kStep * kStep);
 }
 
-Eigen::Vector3d untouched_point_mm(const FaceShape::Local& local,
-                                   double layer_mm,
+Eigen::Vector3d untouched_point_mm(const FaceShape::Local& local, double layer_mm,
                                    MappingAlong along) {
   if (along == MappingAlong::kNormal) return local.view_point_mm + layer_mm * local.normal;
   constexpr double kCosLimit = 0.25881904510252074;  // of 75 degrees
@@ -314,9 +307,8 @@ std::optional<Eigen::Vector2d> pixel_of_position(const FaceShape& shape,
   const double u = static_cast<double>(low) + (span_mm > 0.0 ? ahead_mm(low) / span_mm : 0.0);
   const FaceColumn& column = columns[static_cast<std::size_t>(std::lround(u))];
   if (!column.valid) return std::nullopt;
-  return Eigen::Vector2d(u,
-                         0.5 * (column.upper_v + column.lower_v) +
-                             position_mm.y() / shape.camera().mm_per_px_at(column.z_mm));
+  return Eigen::Vector2d(u, 0.5 * (column.upper_v + column.lower_v) +
+                                position_mm.y() / shape.camera().mm_per_px_at(column.z_mm));
 }
 
 // Distance of the face, computed from its edges: 1/z as a curve over the columns.
@@ -379,8 +371,7 @@ bool FaceShape::fit_inverse_depth(double first, double last, int degree) {
   return inverse_z_.allFinite();
 }
 
-bool FaceShape::fit_to_rays(const std::vector<Ray>& uppers,
-                            const std::vector<Ray>& lowers,
+bool FaceShape::fit_to_rays(const std::vector<Ray>& uppers, const std::vector<Ray>& lowers,
                             Eigen::Index n) {
   const auto used = static_cast<Eigen::Index>(uppers.size());
   Eigen::VectorXd upper_x(used), upper_y(used), lower_x(used), lower_y(used);
@@ -568,8 +559,8 @@ std::optional<FaceShape> FaceShape::twisted(const FaceTwist& twist) const {
   shape.twist_ = twist;
   shape.compute_across();
   shape.compute_columns(twist);
-  const auto valid = std::count_if(
-      shape.columns_.begin(), shape.columns_.end(), [](const FaceColumn& c) { return c.valid; });
+  const auto valid = std::count_if(shape.columns_.begin(), shape.columns_.end(),
+                                   [](const FaceColumn& c) { return c.valid; });
   if (valid < 5) return std::nullopt;
   shape.finish();
   return shape;
@@ -771,11 +762,8 @@ std::optional<FaceShape::Middle> FaceShape::middle_within(double u) const {
   const auto here = across_from(seen.x(), seen.y(), inverse_depth_at(seen.x()));
   if (!here) return std::nullopt;
   const double across_y = std::hypot(here->normal.x(), here->normal.z());
-  return Middle{u,
-                length_position(*this, u),
-                ray->point_at(here->z_mm),
-                here->normal.z() / across_y,
-                -here->normal.x() / across_y};
+  return Middle{u, length_position(*this, u), ray->point_at(here->z_mm),
+                here->normal.z() / across_y, -here->normal.x() / across_y};
 }
 
 std::optional<FaceShape::Middle> FaceShape::foot_of(double x_mm, double z_mm) const {

@@ -61,11 +61,8 @@ class FaceShape {
   /// not found) with z_sd_mm below `z_sd_limit_mm`. Errors: an outline that jumps, since the finger
   /// hides a part of itself (face_edges.h); too few trusted columns; a fit whose z is not
   /// positive and finite.
-  static Result<FaceShape> fit(const FaceEdges& edges,
-                               const Camera& camera,
-                               const Face& face,
-                               int degree,
-                               double z_sd_limit_mm = 0.5);
+  static Result<FaceShape> fit(const FaceEdges& edges, const Camera& camera, const Face& face,
+                               int degree, double z_sd_limit_mm = 0.5);
 
   /// Fits a face with turned cross-sections of width W to the same edges. Both ends of each
   /// cross-section lie on the edges; its direction is
@@ -209,8 +206,7 @@ class FaceShape {
 /// Point of the untouched contact face (outer side of the layer) over a point of the view face.
 ///   kNormal: p + layer * n, exact for a layer of even thickness at any slope.
 ///   kZ: p + (0, 0, layer / cos(incline)), the paper's; incline clamped to 75 degrees.
-[[nodiscard]] Eigen::Vector3d untouched_point_mm(const FaceShape::Local& local,
-                                                 double layer_mm,
+[[nodiscard]] Eigen::Vector3d untouched_point_mm(const FaceShape::Local& local, double layer_mm,
                                                  MappingAlong along);
 
 // Default degree of the face's edges along the finger.

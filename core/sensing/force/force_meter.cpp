@@ -9,8 +9,7 @@ constexpr double kLongestGap = 5.0;  // creep times after which earlier frames a
 
 }  // namespace
 
-ForceInput force_input(const ForceModel& model,
-                       const Markers& markers,
+ForceInput force_input(const ForceModel& model, const Markers& markers,
                        const std::optional<Eigen::Vector2d>& position_mm) {
   ForceInput input;
   const auto count = static_cast<Eigen::Index>(markers.size());

@@ -12,8 +12,7 @@
 namespace alltact {
 
 /// Input of a model: the markers' displacements from its rest positions.
-[[nodiscard]] ForceInput force_input(const ForceModel& model,
-                                     const Markers& markers,
+[[nodiscard]] ForceInput force_input(const ForceModel& model, const Markers& markers,
                                      const std::optional<Eigen::Vector2d>& position_mm);
 
 /// Running mean of displacements, from which creep is estimated: dm/dt = (d - m) / creep_s.

@@ -101,8 +101,7 @@ class EdgeLight {
 };
 
 /// Estimated in the columns next to the seed, the same number on either side.
-std::optional<EdgeLight> edge_light(const cv::Mat& grey,
-                                    const SideEdges& edges,
+std::optional<EdgeLight> edge_light(const cv::Mat& grey, const SideEdges& edges,
                                     const DotSeed& seed) {
   const int from = static_cast<int>(std::ceil(1.35 * seed.half_u + 2.0));
   const int to = from + std::max(6, static_cast<int>(seed.half_u));
@@ -137,8 +136,8 @@ void subtract_light(const EdgeLight& light, const SideEdges& edges, bool upper, 
       if (off < kOwnEdgePx)
         value = static_cast<float>(std::round(light.level()));
       else
-        value = std::clamp(
-            std::round(value - static_cast<float>(light.at(off))), -kMaxLevel, kMaxLevel);
+        value = std::clamp(std::round(value - static_cast<float>(light.at(off))), -kMaxLevel,
+                           kMaxLevel);
     }
 }
 
@@ -293,8 +292,8 @@ class RegionFill {
 };
 
 /// The pixels connected to (x, y) that are higher than `height` above the surrounding level.
-Region grow(
-    const Window& w, double level, int x, int y, double height, const cv::Size& image_size) {
+Region grow(const Window& w, double level, int x, int y, double height,
+            const cv::Size& image_size) {
   Region region = RegionFill(w, static_cast<float>(level + height), x, y, image_size)();
   if (region.area == 0) return region;
   const double n = region.area;
@@ -383,9 +382,7 @@ class Ring {
 
 /// Coarse level and noise around an ellipse grown in x and y: enough to detect a dot. nullopt: too
 /// few pixels are usable.
-std::optional<Background> level_around(const Window& w,
-                                       const Ellipse& inner,
-                                       double grow_x,
+std::optional<Background> level_around(const Window& w, const Ellipse& inner, double grow_x,
                                        double grow_y) {
   const int stride = 1 + std::max(w.width, w.height) / 24;
   Ring ring(w, inner, grow_x, grow_y, stride);
@@ -404,9 +401,7 @@ std::optional<Background> level_around(const Window& w,
 /// Plane through the pixels around the ellipse that are within `spread` of their median. Only
 /// pixels of the ring count, so that a second dot or the side face's far edge has no influence
 /// unless it fills half of it. nullopt: too few pixels are usable.
-std::optional<Background> plane_around(const Window& w,
-                                       const Ellipse& inner,
-                                       double grow,
+std::optional<Background> plane_around(const Window& w, const Ellipse& inner, double grow,
                                        double spread) {
   // Large dots have more surroundings than the plane needs.
   const int stride = 1 + std::max(w.width, w.height) / 48;
@@ -486,8 +481,8 @@ bool opposite_usable(const Window& w, const Ellipse& e, int x, int y) {
   return mx >= 0 && my >= 0 && mx < w.width && my < w.height && w.usable[w.index(mx, my)];
 }
 
-ALLTACT_WIDE void flatten_row(
-    float level, float slope, float shade, float shade_slope, int width, float* values) {
+ALLTACT_WIDE void flatten_row(float level, float slope, float shade, float shade_slope, int width,
+                              float* values) {
   for (int x = 0; x < width; ++x) {
     const auto position = static_cast<float>(x);
     const float target = shade + shade_slope * position;
@@ -498,17 +493,12 @@ ALLTACT_WIDE void flatten_row(
 
 // Converts the window's values into heights above the background, flattened by the dot's own
 // shading.
-void flatten(const Background& ground,
-             const Eigen::Vector2d& shading,
-             const Ellipse& e,
+void flatten(const Background& ground, const Eigen::Vector2d& shading, const Ellipse& e,
              Window& w) {
   for (int y = 0; y < w.height; ++y)
-    flatten_row(static_cast<float>(ground.at(0, y)),
-                static_cast<float>(ground.slope_x),
+    flatten_row(static_cast<float>(ground.at(0, y)), static_cast<float>(ground.slope_x),
                 static_cast<float>(1.0 - shading.x() * e.x + shading.y() * (y - e.y)),
-                static_cast<float>(shading.x()),
-                w.width,
-                &w.value[w.index(0, y)]);
+                static_cast<float>(shading.x()), w.width, &w.value[w.index(0, y)]);
 }
 
 // Centroid of signed heights inside the grown ellipse: noise that is not clipped at zero causes no
@@ -561,9 +551,7 @@ std::optional<std::pair<int, int>> summit(const Window& w, const DotSeed& seed) 
 }
 
 /// nullopt: no lone compact spot; `is_window_too_small` is set where one may reach further.
-std::optional<Dot> measure_once(const cv::Mat& grey,
-                                const SideEdges& edges,
-                                const DotSeed& seed,
+std::optional<Dot> measure_once(const cv::Mat& grey, const SideEdges& edges, const DotSeed& seed,
                                 bool& is_window_too_small) {
   Window w;
   load(grey, edges, seed, w);
@@ -643,11 +631,8 @@ bool is_similar(const Dot& dot, const Dot& like) {
 }
 
 // The highest 3 x 3 mean on the side face within the search radius, in the polarity of `sign`.
-std::optional<Eigen::Vector2d> search(const cv::Mat& grey,
-                                      const SideEdges& edges,
-                                      const Eigen::Vector2d& position,
-                                      double search_px,
-                                      bool upper,
+std::optional<Eigen::Vector2d> search(const cv::Mat& grey, const SideEdges& edges,
+                                      const Eigen::Vector2d& position, double search_px, bool upper,
                                       int sign) {
   const int u0 = std::max(1, static_cast<int>(position.x() - search_px));
   const int u1 = std::min(grey.cols - 2, static_cast<int>(position.x() + search_px + 1));
@@ -686,20 +671,13 @@ cv::Mat reduced_for_dots(const cv::Mat& grey, int* factor) {
   *factor = f;
   if (f == 1) return grey;
   cv::Mat reduced;
-  cv::resize(grey(cv::Rect(0, 0, grey.cols / f * f, grey.rows / f * f)),
-             reduced,
-             cv::Size(grey.cols / f, grey.rows / f),
-             0,
-             0,
-             cv::INTER_AREA);
+  cv::resize(grey(cv::Rect(0, 0, grey.cols / f * f, grey.rows / f * f)), reduced,
+             cv::Size(grey.cols / f, grey.rows / f), 0, 0, cv::INTER_AREA);
   return reduced;
 }
 
-std::optional<Dot> near_dot(const cv::Mat& grey,
-                            const SideEdges& edges,
-                            const Eigen::Vector2d& position,
-                            double search_px,
-                            const Dot& like) {
+std::optional<Dot> near_dot(const cv::Mat& grey, const SideEdges& edges,
+                            const Eigen::Vector2d& position, double search_px, const Dot& like) {
   if (!(position.x() >= 0 && position.x() <= grey.cols - 1 && position.y() >= 0 &&
         position.y() <= grey.rows - 1))
     return std::nullopt;

@@ -30,17 +30,14 @@ struct DotSeed {
 /// face cuts into the centroid's window, it is made symmetric about the dot, so that a near edge
 /// causes no bias. nullopt: no compact spot, or one that reaches the border of the image or the
 /// view face.
-[[nodiscard]] std::optional<Dot> measure_dot(const cv::Mat& grey,
-                                             const SideEdges& edges,
+[[nodiscard]] std::optional<Dot> measure_dot(const cv::Mat& grey, const SideEdges& edges,
                                              const DotSeed& seed);
 
 /// The dot near a position whose radius and contrast (with sign) are similar to those of `like`.
 /// The extents of `like`, where known, set the search window. Searched within `search_px`; nullopt
 /// where there is none, or only part of one.
-[[nodiscard]] std::optional<Dot> near_dot(const cv::Mat& grey,
-                                          const SideEdges& edges,
-                                          const Eigen::Vector2d& position,
-                                          double search_px,
+[[nodiscard]] std::optional<Dot> near_dot(const cv::Mat& grey, const SideEdges& edges,
+                                          const Eigen::Vector2d& position, double search_px,
                                           const Dot& like);
 
 /// True when one of `dots` is at the position of `dot`.

@@ -35,8 +35,7 @@ class QuietOpenCv {
 };
 
 Error unusable(Message what, const std::filesystem::path& onnx) {
-  return Error{std::move(what),
-               onnx,
+  return Error{std::move(what), onnx,
                en::say("a network exported with fixed sizes, one image at a time and opset 11 or "
                        "12, or --marker-network own")};
 }
@@ -48,9 +47,7 @@ std::string shape_text(const std::vector<std::int64_t>& shape) {
   return text.empty() ? "?" : text;
 }
 
-std::vector<std::int64_t> shape_of(const cv::Mat& m) {
-  return {m.size.p, m.size.p + m.dims};
-}
+std::vector<std::int64_t> shape_of(const cv::Mat& m) { return {m.size.p, m.size.p + m.dims}; }
 
 bool is_finite(const cv::Mat& m) {
   const auto* values = m.ptr<float>();
@@ -82,8 +79,8 @@ Result<cv::Mat> DotNetwork::run(const cv::Mat& input) {
     return unusable(en::say("OpenCV cannot run this network"), onnx_);
   }
   // Selected by shape: OpenCV returns several outputs in an order of its own.
-  const auto output = std::find_if(
-      outputs.begin(), outputs.end(), [&](const cv::Mat& m) { return is_output(m, input); });
+  const auto output = std::find_if(outputs.begin(), outputs.end(),
+                                   [&](const cv::Mat& m) { return is_output(m, input); });
   if (output == outputs.end())
     return unusable(
         en::say("this network outputs {} for {}, which are neither dots nor boxes",
@@ -100,16 +97,13 @@ Status DotNetwork::check() {
   const auto expected = NetworkCheck::load(yaml.replace_extension(".yaml"));
   if (!expected) return expected.error();
   if (outputs_dots_ && !*expected)
-    return Error{en::say("the file with this network's expected output is missing"),
-                 yaml,
+    return Error{en::say("the file with this network's expected output is missing"), yaml,
                  en::say("training it again, which writes both files")};
   const cv::Size own = *expected ? (*expected)->image_size : size_;
   if (!outputs_dots_ && own != size_)
     return Error{en::say("the image must have the size of the network's input, {} x {}",
-                         size_.width,
-                         size_.height),
-                 yaml,
-                 ""};
+                         size_.width, size_.height),
+                 yaml, ""};
   InputMap input_map;
   const auto got = run(input_of(check_image(own), &input_map));
   if (!got) return got.error();
@@ -128,18 +122,15 @@ Result<DotNetwork> DotNetwork::load(const std::filesystem::path& onnx) {
       std::max(in[2], in[3]) > kMaxInputSide)
     return unusable(en::say("this network takes {}, not one image of 1 or 3 channels and a fixed "
                             "size of {} to {} px a side",
-                            shape_text(in),
-                            kMinSide,
-                            kMaxInputSide),
+                            shape_text(in), kMinSide, kMaxInputSide),
                     onnx);
   DotNetwork network;
   network.onnx_ = onnx;
   network.channels_ = static_cast<int>(in[1]);
   network.size_ = {static_cast<int>(in[3]), static_cast<int>(in[2])};
-  const bool has_dots =
-      std::any_of(header->outputs.begin(), header->outputs.end(), [](const OnnxPort& port) {
-        return port.shape.size() == 4 && port.shape[1] == 3;
-      });
+  const bool has_dots = std::any_of(
+      header->outputs.begin(), header->outputs.end(),
+      [](const OnnxPort& port) { return port.shape.size() == 4 && port.shape[1] == 3; });
   network.outputs_dots_ = has_dots && in[1] == 1;
   try {
     const QuietOpenCv quiet;
@@ -185,8 +176,7 @@ Status NetworkCheck::holds(const cv::Mat& got, const std::filesystem::path& onnx
   const std::size_t total = got.total(), step = static_cast<std::size_t>(every);
   const std::size_t count = (total + step - 1) / step;
   const auto refused = [&](Message what) {
-    return Error{std::move(what),
-                 onnx,
+    return Error{std::move(what), onnx,
                  en::say("the network and its .yaml of the same training, or exporting it with "
                          "opset 11 or 12")};
   };
@@ -201,8 +191,7 @@ Status NetworkCheck::holds(const cv::Mat& got, const std::filesystem::path& onnx
   return refused(
       en::say("for a known image the network's numbers deviate by up to {:.3g} from its .yaml, and "
               "{:.3g} is allowed",
-              max_error,
-              tolerance));
+              max_error, tolerance));
 }
 
 cv::Mat check_image(const cv::Size& size) {
@@ -400,9 +389,8 @@ bool is_sound_attribute(std::string_view message) {
       name == "kernel_shape" || name == "strides" || name == "dilations" || name == "group";
   constexpr std::uint64_t kMaxSize = 1U << 16U;
   return is_complete &&
-         (!is_size || std::all_of(numbers.begin(), numbers.end(), [](std::uint64_t n) {
-           return n >= 1 && n <= kMaxSize;
-         }));
+         (!is_size || std::all_of(numbers.begin(), numbers.end(),
+                                  [](std::uint64_t n) { return n >= 1 && n <= kMaxSize; }));
 }
 
 /// A graph, parsed node by node.
@@ -472,8 +460,7 @@ Result<OnnxHeader> read_onnx_header(std::string_view bytes, const Where& where) 
   if (!is_complete || !graph.is_sound || graph.nodes == 0 || graph.header.inputs.empty() ||
       graph.header.outputs.empty())
     return Error{
-        en::say("this is not a network in the ONNX format, or it is incomplete or damaged"),
-        where,
+        en::say("this is not a network in the ONNX format, or it is incomplete or damaged"), where,
         en::say("copying or exporting the file again")};
   return std::move(graph.header);
 }
@@ -487,9 +474,7 @@ constexpr double kMaxIou = 0.45;  // intersection over union of two boxes
 constexpr float kPadding = 114.0F / 255.0F;
 constexpr double kLargestHalfPx = 64;
 
-double probability(float logit) {
-  return 1.0 / (1.0 + std::exp(-static_cast<double>(logit)));
-}
+double probability(float logit) { return 1.0 / (1.0 + std::exp(-static_cast<double>(logit))); }
 
 /// Vertex of a parabola through three neighbours, in units of their distance.
 double vertex(float before, float here, float after) {
@@ -499,9 +484,8 @@ double vertex(float before, float here, float after) {
 }
 
 void sort_by_score(std::vector<NetworkDot>& dots) {
-  std::stable_sort(dots.begin(), dots.end(), [](const NetworkDot& a, const NetworkDot& b) {
-    return a.score > b.score;
-  });
+  std::stable_sort(dots.begin(), dots.end(),
+                   [](const NetworkDot& a, const NetworkDot& b) { return a.score > b.score; });
 }
 
 /// Retains the first of those that are the same by `is_same`.
@@ -509,8 +493,8 @@ template <class Same>
 std::vector<NetworkDot> without_duplicates(const std::vector<NetworkDot>& dots, Same is_same) {
   std::vector<NetworkDot> retained;
   for (const NetworkDot& dot : dots)
-    if (std::none_of(
-            retained.begin(), retained.end(), [&](const NetworkDot& k) { return is_same(k, dot); }))
+    if (std::none_of(retained.begin(), retained.end(),
+                     [&](const NetworkDot& k) { return is_same(k, dot); }))
       retained.push_back(dot);
   return retained;
 }
@@ -551,8 +535,8 @@ cv::Mat boxes_input(const cv::Mat& grey, const cv::Size& size, int channels, Inp
   const int height = std::clamp(static_cast<int>(std::lround(grey.rows * scale)), 1, size.height);
   const int left = (size.width - width) / 2, top = (size.height - height) / 2;
   cv::Mat small;
-  cv::resize(
-      grey, small, cv::Size(width, height), 0, 0, scale < 1 ? cv::INTER_AREA : cv::INTER_LINEAR);
+  cv::resize(grey, small, cv::Size(width, height), 0, 0,
+             scale < 1 ? cv::INTER_AREA : cv::INTER_LINEAR);
   // Box coordinates count from the corner of the first pixel, image coordinates from its centre.
   *input_map = {scale, left + 0.5 * scale, top + 0.5 * scale};
   const std::array<int, 4> shape{1, channels, size.height, size.width};
@@ -584,10 +568,8 @@ std::vector<NetworkDot> dots_of(const cv::Mat& output, const InputMap& input_map
         cell_x += vertex(logits.at<float>(y, x - 1), here, logits.at<float>(y, x + 1));
       if (y > 0 && y + 1 < height)
         cell_y += vertex(logits.at<float>(y - 1, x), here, logits.at<float>(y + 1, x));
-      dots.push_back({input_map.u(kStride * cell_x),
-                      input_map.v(kStride * cell_y),
-                      extent(wide.at<float>(y, x)),
-                      extent(high.at<float>(y, x)),
+      dots.push_back({input_map.u(kStride * cell_x), input_map.v(kStride * cell_y),
+                      extent(wide.at<float>(y, x)), extent(high.at<float>(y, x)),
                       probability(here)});
     }
   sort_by_score(dots);
@@ -616,11 +598,8 @@ std::vector<NetworkDot> boxes_of(const cv::Mat& output, const InputMap& input_ma
     for (int number = 4; number < numbers; ++number) score = std::max(score, at(box, number));
     const double width = at(box, 2), height = at(box, 3);
     if (score < kMinBoxScore || !(width > 0 && height > 0)) continue;
-    dots.push_back({input_map.u(at(box, 0)),
-                    input_map.v(at(box, 1)),
-                    0.5 * width / input_map.scale,
-                    0.5 * height / input_map.scale,
-                    std::min(score, 1.0)});
+    dots.push_back({input_map.u(at(box, 0)), input_map.v(at(box, 1)), 0.5 * width / input_map.scale,
+                    0.5 * height / input_map.scale, std::min(score, 1.0)});
   }
   sort_by_score(dots);
   return without_duplicates(
@@ -631,9 +610,7 @@ namespace {
 
 /// Measures the dot at a detection. Detections have an accuracy of about half an output cell, which
 /// may miss a thin dot. Positions slightly above and below are tried too.
-std::optional<Dot> measured(const cv::Mat& grey,
-                            const SideEdges& edges,
-                            const NetworkDot& seen,
+std::optional<Dot> measured(const cv::Mat& grey, const SideEdges& edges, const NetworkDot& seen,
                             double sign) {
   const int u = std::clamp(static_cast<int>(std::lround(seen.u)), 0, grey.cols - 1);
   DotSeed seed;

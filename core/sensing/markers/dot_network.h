@@ -122,9 +122,7 @@ struct OnnxHeader {
 
 /// Letterboxed input of a network for boxes: the image as large as fits in the middle of `size`,
 /// the rest grey (114). [1, channels, height, width], grey / 255 in each.
-[[nodiscard]] cv::Mat boxes_input(const cv::Mat& grey,
-                                  const cv::Size& size,
-                                  int channels,
+[[nodiscard]] cv::Mat boxes_input(const cv::Mat& grey, const cv::Size& size, int channels,
                                   InputMap* input_map);
 
 /// Peaks of the first channel of [1, 3, h, w], highest score first; of two with overlapping extents

@@ -132,15 +132,14 @@ std::vector<Candidate> candidates(const Small& small, bool bright, std::size_t m
       found.push_back({row[x], seed});
     }
   }
-  std::stable_sort(found.begin(), found.end(), [](const Candidate& a, const Candidate& b) {
-    return a.height > b.height;
-  });
+  std::stable_sort(found.begin(), found.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.height > b.height; });
   if (found.size() > max_count) found.resize(max_count);
   return found;
 }
 
-std::vector<Dot> detect(
-    const cv::Mat& grey, const SideEdges& edges, const Small& small, bool bright, int per_row) {
+std::vector<Dot> detect(const cv::Mat& grey, const SideEdges& edges, const Small& small,
+                        bool bright, int per_row) {
   const auto max_count = static_cast<std::size_t>(16 * per_row + 32);
   std::vector<Dot> dots;
   for (const Candidate& candidate : candidates(small, bright, max_count)) {
@@ -215,9 +214,7 @@ double bend(const Dot& p, const Dot& q, const Dot& r) {
 
 }  // namespace
 
-std::optional<DotRow> choose_row(const std::vector<Dot>& dots,
-                                 bool upper,
-                                 int per_row,
+std::optional<DotRow> choose_row(const std::vector<Dot>& dots, bool upper, int per_row,
                                  bool base_at_low_u) {
   std::vector<int> side;
   for (std::size_t i = 0; i < dots.size(); ++i)
@@ -275,8 +272,7 @@ std::optional<DotRow> choose_row(const std::vector<Dot>& dots,
   return row;
 }
 
-std::optional<std::vector<Dot>> two_rows(const std::vector<Dot>& dots,
-                                         int per_row,
+std::optional<std::vector<Dot>> two_rows(const std::vector<Dot>& dots, int per_row,
                                          bool base_at_low_u) {
   std::vector<Dot> markers;
   for (const bool is_upper : {true, false}) {
@@ -351,8 +347,7 @@ class Profile {
   static constexpr double kBeyond = 60.0;  // steps of the profile beyond its ends
 
   /// Intersection of the ray with the plane y of the edge, relative to one point of the face.
-  [[nodiscard]] std::optional<Intersection> intersect(const Ray& ray,
-                                                      std::size_t i,
+  [[nodiscard]] std::optional<Intersection> intersect(const Ray& ray, std::size_t i,
                                                       bool upper) const {
     const Point& p = points_[i];
     const auto at = on_side_face(ray, upper ? p.upper_y : p.lower_y);
@@ -365,14 +360,11 @@ class Profile {
     const double across = tangent.x() * away.y() - tangent.y() * away.x();
     return Intersection{tangent.dot(away), tangent.x() > 0 ? -across : across, at->z()};
   }
-  [[nodiscard]] Foot between(const Intersection& a,
-                             const Intersection& b,
-                             std::size_t i,
+  [[nodiscard]] Foot between(const Intersection& a, const Intersection& b, std::size_t i,
                              double t) const {
     const double inside = std::clamp(t, 0.0, 1.0);
     return {points_[i - 1].along_mm + t * (points_[i].along_mm - points_[i - 1].along_mm),
-            a.off_mm + inside * (b.off_mm - a.off_mm),
-            a.z_mm + inside * (b.z_mm - a.z_mm)};
+            a.off_mm + inside * (b.off_mm - a.off_mm), a.z_mm + inside * (b.z_mm - a.z_mm)};
   }
 
   std::vector<Point> points_;

@@ -43,14 +43,11 @@ void locate_on_finger(std::vector<Dot>& dots, const FaceShape& shape, const Side
 /// The most even choice of `per_row` dots of one side, judged in mm along the finger and not in
 /// pixels. In the order of u from base to tip, by dynamic programming over pairs of neighbours.
 /// nullopt where there are fewer dots.
-[[nodiscard]] std::optional<DotRow> choose_row(const std::vector<Dot>& dots,
-                                               bool upper,
-                                               int per_row,
-                                               bool base_at_low_u);
+[[nodiscard]] std::optional<DotRow> choose_row(const std::vector<Dot>& dots, bool upper,
+                                               int per_row, bool base_at_low_u);
 
 /// The dots of both rows in the order of the markers' numbers; nullopt where a row is not even.
-[[nodiscard]] std::optional<std::vector<Dot>> two_rows(const std::vector<Dot>& dots,
-                                                       int per_row,
+[[nodiscard]] std::optional<std::vector<Dot>> two_rows(const std::vector<Dot>& dots, int per_row,
                                                        bool base_at_low_u);
 
 }  // namespace alltact

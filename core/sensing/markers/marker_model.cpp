@@ -94,8 +94,8 @@ void refine_locally(const std::vector<std::vector<Eigen::Index>>& seen, Eigen::M
     if (neighbours.size() < 2) continue;
     Markers markers(static_cast<std::size_t>(filled.cols() / 2));
     for (const Eigen::Index k : seen[i])
-      markers[static_cast<std::size_t>(k / 2)] = {
-          before(row, k / 2 * 2), before(row, k / 2 * 2 + 1), true, 0};
+      markers[static_cast<std::size_t>(k / 2)] = {before(row, k / 2 * 2),
+                                                  before(row, k / 2 * 2 + 1), true, 0};
     const LocalLayout local(before, neighbours, markers, kNoisePx);
     for (std::size_t m = 0; m < markers.size(); ++m)
       if (!markers[m].seen)
@@ -174,9 +174,7 @@ Markers markers_from(const std::vector<Dot>& dots, const std::vector<int>& dot_o
 }
 
 // Assigns dots at the estimated positions of hidden markers; true when there was one.
-bool add_unused(const std::vector<Dot>& dots,
-                double gate,
-                const std::vector<char>& missing,
+bool add_unused(const std::vector<Dot>& dots, double gate, const std::vector<char>& missing,
                 Markers& markers) {
   bool added = false;
   for (std::size_t m = 0; m < markers.size(); ++m) {
@@ -219,8 +217,7 @@ Result<MarkerModel> MarkerModel::learn(const Eigen::MatrixXd& layouts,
   if (static_cast<Eigen::Index>(typical_dots.size()) * 2 != size)
     return Error{
         en::say("{} markers have a position but {} have a size", size / 2, typical_dots.size()),
-        en::say("marker model"),
-        en::say("record the reference again")};
+        en::say("marker model"), en::say("record the reference again")};
   model.typical_ = typical_dots;
   model.missing_.assign(typical_dots.size(), 0);
   for (const int marker : missing) model.missing_[static_cast<std::size_t>(marker)] = 1;
@@ -230,8 +227,7 @@ Result<MarkerModel> MarkerModel::learn(const Eigen::MatrixXd& layouts,
   const Eigen::MatrixXd covariance = centred.transpose() * centred / static_cast<double>(n - 1);
   const auto eigen = symmetric_eigen(covariance);
   if (eigen.info() != Eigen::Success)
-    return Error{en::say("the markers' positions are not finite numbers"),
-                 en::say("marker model"),
+    return Error{en::say("the markers' positions are not finite numbers"), en::say("marker model"),
                  en::say("record the reference again")};
   const Eigen::VectorXd values = eigen.eigenvalues().cwiseMax(0.0);
   // Number of modes that the existing dots determine, less a few that check the fit.
@@ -270,11 +266,11 @@ void MarkerModel::learn_noise() {
     for (Eigen::Index i = 0; i < layouts_.rows(); i += step) {
       Markers markers(static_cast<std::size_t>(marker_count()));
       for (int m = 0; m < marker_count(); ++m)
-        markers[static_cast<std::size_t>(m)] = {
-            layouts_(i, 2 * m), layouts_(i, 2 * m + 1), true, 0};
+        markers[static_cast<std::size_t>(m)] = {layouts_(i, 2 * m), layouts_(i, 2 * m + 1), true,
+                                                0};
       without[static_cast<std::size_t>(i)] = 1;
-      const auto neighbours = nearest_rows(
-          mode_coordinates_, mode_coordinates_.row(i).transpose(), kLocalNeighbours, without);
+      const auto neighbours = nearest_rows(mode_coordinates_, mode_coordinates_.row(i).transpose(),
+                                           kLocalNeighbours, without);
       without[static_cast<std::size_t>(i)] = 0;
       if (neighbours.size() < 2) continue;
       const LocalLayout local(layouts_, neighbours, markers, noise_px_);
@@ -339,13 +335,9 @@ MarkerModel::Pose MarkerModel::explain(const std::vector<Dot>& dots, Eigen::Vect
   };
   const double last_gate = std::min(0.3 * spacing_px_, std::max(3.0, 8 * noise_px_));
   Pose pose;
-  for (const double gate : {0.7 * spacing_px_,
-                            0.6 * spacing_px_,
-                            0.5 * spacing_px_,
-                            0.4 * spacing_px_,
-                            std::max(last_gate, 0.25 * spacing_px_),
-                            last_gate,
-                            last_gate}) {
+  for (const double gate :
+       {0.7 * spacing_px_, 0.6 * spacing_px_, 0.5 * spacing_px_, 0.4 * spacing_px_,
+        std::max(last_gate, 0.25 * spacing_px_), last_gate, last_gate}) {
     std::vector<Pair> pairs;
     for (int m = 0; m < marker_count(); ++m)
       for (std::size_t d = 0; d < dots.size() && !is_missing(m); ++d) {
@@ -395,9 +387,7 @@ std::optional<Markers> MarkerModel::number(const std::vector<Dot>& dots) const {
 }
 
 LocalLayout MarkerModel::local_layout(const Markers& markers) const {
-  return {layouts_,
-          nearest_rows(mode_coordinates_, fit_modes(markers), kLocalNeighbours),
-          markers,
+  return {layouts_, nearest_rows(mode_coordinates_, fit_modes(markers), kLocalNeighbours), markers,
           noise_px_};
 }
 
@@ -463,10 +453,8 @@ double MarkerModel::residual_px(const Markers& markers) const {
   return count > 0 ? std::sqrt(square / count) : 0.0;
 }
 
-std::vector<int> nearest_rows(const Eigen::MatrixXd& points,
-                              const Eigen::VectorXd& query,
-                              int count,
-                              const std::vector<char>& without) {
+std::vector<int> nearest_rows(const Eigen::MatrixXd& points, const Eigen::VectorXd& query,
+                              int count, const std::vector<char>& without) {
   Eigen::VectorXd square = Eigen::VectorXd::Zero(points.rows());
   for (Eigen::Index k = 0; k < points.cols(); ++k)
     square.array() += (points.col(k).array() - query[k]).square();
@@ -478,16 +466,14 @@ std::vector<int> nearest_rows(const Eigen::MatrixXd& points,
   const auto nearer = [&](int a, int b) {
     return square[a] < square[b] || (square[a] == square[b] && a < b);
   };
-  std::partial_sort(
-      rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(selected), rows.end(), nearer);
+  std::partial_sort(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(selected), rows.end(),
+                    nearer);
   rows.resize(selected);
   return rows;
 }
 
-LocalLayout::LocalLayout(const Eigen::MatrixXd& layouts,
-                         const std::vector<int>& neighbours,
-                         const Markers& markers,
-                         double noise_px)
+LocalLayout::LocalLayout(const Eigen::MatrixXd& layouts, const std::vector<int>& neighbours,
+                         const Markers& markers, double noise_px)
     : noise_px_(noise_px) {
   const Eigen::Index size = layouts.cols(), count = static_cast<Eigen::Index>(neighbours.size());
   deviations_.resize(size, count);

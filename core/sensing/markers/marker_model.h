@@ -93,8 +93,7 @@ inline constexpr int kLocalNeighbours = 20;
 /// Indices of the `count` rows of `points` nearest to `query`, nearest first. `without` (by row)
 /// marks excluded rows; empty: none.
 [[nodiscard]] std::vector<int> nearest_rows(const Eigen::MatrixXd& points,
-                                            const Eigen::VectorXd& query,
-                                            int count,
+                                            const Eigen::VectorXd& query, int count,
                                             const std::vector<char>& without = {});
 
 /// The mixture (weights that sum to 1) of recorded layouts nearest to the seen markers, by ridge
@@ -102,10 +101,8 @@ inline constexpr int kLocalNeighbours = 20;
 /// Markers are observed with the noise `noise_px`.
 class LocalLayout {
  public:
-  LocalLayout(const Eigen::MatrixXd& layouts,
-              const std::vector<int>& neighbours,
-              const Markers& markers,
-              double noise_px);
+  LocalLayout(const Eigen::MatrixXd& layouts, const std::vector<int>& neighbours,
+              const Markers& markers, double noise_px);
 
   [[nodiscard]] Eigen::Vector2d position(int marker) const {
     return position_.segment<2>(2 * marker);

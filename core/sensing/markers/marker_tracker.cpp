@@ -49,8 +49,7 @@ std::optional<Markers> MarkerTracker::follow(const cv::Mat& grey, const FaceShap
   return completed;
 }
 
-std::optional<Markers> MarkerTracker::operator()(const cv::Mat& grey,
-                                                 const FaceShape& shape,
+std::optional<Markers> MarkerTracker::operator()(const cv::Mat& grey, const FaceShape& shape,
                                                  Message* problem) {
   if (last_) {
     last_ = follow(grey, shape);
@@ -60,8 +59,7 @@ std::optional<Markers> MarkerTracker::operator()(const cv::Mat& grey,
   return last_;
 }
 
-std::optional<Markers> numbered(const FoundDots& found,
-                                const MarkerModel& model,
+std::optional<Markers> numbered(const FoundDots& found, const MarkerModel& model,
                                 Message* problem) {
   auto markers = model.number(found.dots);
   if (markers && model.residual_px(*markers) > kMaxResidualPx) markers.reset();
@@ -69,8 +67,7 @@ std::optional<Markers> numbered(const FoundDots& found,
     *problem = en::say(
         "{} dots were found next to the face, but less than a third of the {} markers fit any pose "
         "of the reference recording",
-        found.dots.size(),
-        model.present_count());
+        found.dots.size(), model.present_count());
   return markers;
 }
 
@@ -82,8 +79,7 @@ class ModelMarkerFinder : public MarkerFinder {
   ModelMarkerFinder(std::unique_ptr<const DotFinder> finder, MarkerModel model)
       : finder_(std::move(finder)), model_(std::move(model)) {}
 
-  std::optional<Markers> operator()(const cv::Mat& grey,
-                                    const FaceShape& shape,
+  std::optional<Markers> operator()(const cv::Mat& grey, const FaceShape& shape,
                                     Message* problem) override {
     const FoundDots found = (*finder_)(grey, shape);
     if (found.problem.empty()) return numbered(found, model_, problem);
@@ -103,8 +99,7 @@ class SortedRowFinder : public MarkerFinder {
   SortedRowFinder(std::unique_ptr<const DotFinder> finder, int per_row, Markers rest)
       : finder_(std::move(finder)), per_row_(per_row), rest_(std::move(rest)), last_(rest_) {}
 
-  std::optional<Markers> operator()(const cv::Mat& grey,
-                                    const FaceShape& shape,
+  std::optional<Markers> operator()(const cv::Mat& grey, const FaceShape& shape,
                                     Message* problem) override {
     const FoundDots found = (*finder_)(grey, shape);
     auto markers =
@@ -188,9 +183,7 @@ namespace {
 constexpr double kSearch = 0.35;
 constexpr int kRetryPeriod = 8;  // failures until the other polarity is tried again
 
-double distance(const Dot& a, const Dot& b) {
-  return std::hypot(a.u - b.u, a.v - b.v);
-}
+double distance(const Dot& a, const Dot& b) { return std::hypot(a.u - b.u, a.v - b.v); }
 
 /// Distance to the nearer neighbour in its row.
 double spacing(const std::vector<Dot>& markers, std::size_t m) {
@@ -234,8 +227,7 @@ Polarity EvenRows::polarity() {
   return failures_++ % kRetryPeriod == kRetryPeriod - 1 ? Polarity::kAuto : *known_polarity_;
 }
 
-std::optional<Markers> EvenRows::operator()(const cv::Mat& grey,
-                                            const FaceShape& shape,
+std::optional<Markers> EvenRows::operator()(const cv::Mat& grey, const FaceShape& shape,
                                             std::vector<Dot>& dots) {
   dots.clear();
   if (grey.cols != shape.width_px() || rows_.per_row < 1) return std::nullopt;
@@ -272,14 +264,11 @@ constexpr double kTypicalBending = 0.3;
 constexpr double kMovedCost = 0.01, kLeftOutCost = 0.01;
 constexpr double kNoNumbering = std::numeric_limits<double>::infinity();
 
-std::vector<Dot> sorted_row(const std::vector<Dot>& dots,
-                            bool upper,
-                            std::size_t per_row,
+std::vector<Dot> sorted_row(const std::vector<Dot>& dots, bool upper, std::size_t per_row,
                             bool base_at_low_u) {
   std::vector<Dot> row;
-  std::copy_if(dots.begin(), dots.end(), std::back_inserter(row), [upper](const Dot& dot) {
-    return dot.upper == upper;
-  });
+  std::copy_if(dots.begin(), dots.end(), std::back_inserter(row),
+               [upper](const Dot& dot) { return dot.upper == upper; });
   std::stable_sort(row.begin(), row.end(), [](const Dot& a, const Dot& b) {
     return std::abs(a.contrast) > std::abs(b.contrast);
   });
@@ -290,9 +279,7 @@ std::vector<Dot> sorted_row(const std::vector<Dot>& dots,
   return row;
 }
 
-Eigen::Vector2d position(const Dot& dot) {
-  return {dot.u, dot.v};
-}
+Eigen::Vector2d position(const Dot& dot) { return {dot.u, dot.v}; }
 
 /// Numbers of a row's dots, by dynamic programming over neighbours. The cost sums the squared
 /// logarithms of step ratios, to the neighbours' or to the previous steps. The squared
@@ -413,18 +400,14 @@ void fill_from_neighbours(Markers& row) {
     const Marker &from = row[static_cast<std::size_t>(a)], &to = row[static_cast<std::size_t>(b)];
     const double part = static_cast<double>(i - a) / (b - a);
     const double off_px = half_bending_px * std::abs((i - a) * (i - b));
-    marker = {from.u + part * (to.u - from.u),
-              from.v + part * (to.v - from.v),
-              false,
+    marker = {from.u + part * (to.u - from.u), from.v + part * (to.v - from.v), false,
               std::max(kMinSdPx, off_px)};
   }
 }
 
 }  // namespace
 
-std::optional<Markers> paper_rows(const std::vector<Dot>& dots,
-                                  int per_row,
-                                  bool base_at_low_u,
+std::optional<Markers> paper_rows(const std::vector<Dot>& dots, int per_row, bool base_at_low_u,
                                   const Markers* before) {
   if (per_row < 1) return std::nullopt;
   const auto length = static_cast<std::size_t>(per_row);

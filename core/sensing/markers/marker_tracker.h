@@ -18,8 +18,7 @@ namespace alltact {
 
 /// Numbers the dots of one image by the model. nullopt when they fit no recorded pose; `problem` is
 /// then set, where it is not null.
-[[nodiscard]] std::optional<Markers> numbered(const FoundDots& found,
-                                              const MarkerModel& model,
+[[nodiscard]] std::optional<Markers> numbered(const FoundDots& found, const MarkerModel& model,
                                               Message* problem);
 
 /// Tracks the markers from frame to frame: searches near their last positions, and detects anew
@@ -28,8 +27,7 @@ class MarkerTracker : public MarkerFinder {
  public:
   MarkerTracker(MarkerRows rows, MarkerModel model);
 
-  [[nodiscard]] std::optional<Markers> operator()(const cv::Mat& grey,
-                                                  const FaceShape& shape,
+  [[nodiscard]] std::optional<Markers> operator()(const cv::Mat& grey, const FaceShape& shape,
                                                   Message* problem) override;
   void forget() override { last_.reset(); }
 
@@ -65,8 +63,7 @@ class EvenRows {
 
   /// The markers where both rows are even (marker_detector.h), else nullopt; `dots` are then those
   /// found.
-  [[nodiscard]] std::optional<Markers> operator()(const cv::Mat& grey,
-                                                  const FaceShape& shape,
+  [[nodiscard]] std::optional<Markers> operator()(const cv::Mat& grey, const FaceShape& shape,
                                                   std::vector<Dot>& dots);
   /// Call before a frame that does not follow the last one in time.
   void forget();
@@ -100,8 +97,7 @@ class EvenRows {
 /// at least 1 px.
 ///
 /// nullopt where a row shows fewer than two dots (none, of a finger with one a row).
-[[nodiscard]] std::optional<Markers> paper_rows(const std::vector<Dot>& dots,
-                                                int per_row,
+[[nodiscard]] std::optional<Markers> paper_rows(const std::vector<Dot>& dots, int per_row,
                                                 bool base_at_low_u,
                                                 const Markers* before = nullptr);
 

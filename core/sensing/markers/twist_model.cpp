@@ -17,9 +17,7 @@ constexpr double kSignificant = 16.3;  // chi squared with 3 degrees of freedom:
 constexpr double kSlopeReach = 0.02;   // fraction of the image's width, to both sides
 constexpr double kMinSd = 2e-4;        // rad
 
-double median_of(std::vector<double> values) {
-  return upper_median(values);
-}
+double median_of(std::vector<double> values) { return upper_median(values); }
 
 }  // namespace
 
@@ -39,8 +37,7 @@ struct TwistModel::Lean {
 namespace {
 
 /// nullopt: one of them is not seen, or they are no pair.
-std::optional<Eigen::Vector4d> directions_of(const Marker& upper,
-                                             const Marker& lower,
+std::optional<Eigen::Vector4d> directions_of(const Marker& upper, const Marker& lower,
                                              const FaceShape& shape) {
   if (!upper.seen || !lower.seen) return std::nullopt;
   const auto a = shape.direction_of({upper.u, upper.v}), b = shape.direction_of({lower.u, lower.v});

@@ -55,8 +55,8 @@ struct Profile {
   [[nodiscard]] std::size_t nearest(const Eigen::Vector2d& point_mm) const {
     constexpr std::size_t kEvery = 16;
     const std::size_t rough = nearest_of(point_mm, 0, at_mm.size(), kEvery);
-    return nearest_of(
-        point_mm, rough - std::min(rough, kEvery), std::min(at_mm.size(), rough + kEvery + 1), 1);
+    return nearest_of(point_mm, rough - std::min(rough, kEvery),
+                      std::min(at_mm.size(), rough + kEvery + 1), 1);
   }
   /// s of the foot of a point on the profile near entry i; NaN beyond the ends.
   [[nodiscard]] double foot_mm(const Eigen::Vector2d& point_mm, std::size_t i) const {
@@ -67,10 +67,8 @@ struct Profile {
   }
 
  private:
-  [[nodiscard]] std::size_t nearest_of(const Eigen::Vector2d& point_mm,
-                                       std::size_t first,
-                                       std::size_t end,
-                                       std::size_t every) const {
+  [[nodiscard]] std::size_t nearest_of(const Eigen::Vector2d& point_mm, std::size_t first,
+                                       std::size_t end, std::size_t every) const {
     std::size_t best = first;
     double best_square = (at_mm[first] - point_mm).squaredNorm();
     for (std::size_t i = first + every; i < end; i += every) {
@@ -81,24 +79,17 @@ struct Profile {
   }
 };
 
-ALLTACT_WIDE void columns_of_row(const float* __restrict t_at_0,
-                                 const float* __restrict t_per_v,
-                                 const float* __restrict u0,
-                                 const float* __restrict tilt,
-                                 float v,
-                                 int count,
-                                 float* __restrict to_u) {
+ALLTACT_WIDE void columns_of_row(const float* __restrict t_at_0, const float* __restrict t_per_v,
+                                 const float* __restrict u0, const float* __restrict tilt, float v,
+                                 int count, float* __restrict to_u) {
   for (int i = 0; i < count; ++i) {
     const float t = t_at_0[i] + t_per_v[i] * v;
     to_u[i] = u0[i] + (2.0F * t - 1.0F) * tilt[i];
   }
 }
 
-ALLTACT_WIDE void rows_of_row(const float* __restrict constant,
-                              const float* __restrict slope,
-                              const float* __restrict bow,
-                              float v,
-                              int count,
+ALLTACT_WIDE void rows_of_row(const float* __restrict constant, const float* __restrict slope,
+                              const float* __restrict bow, float v, int count,
                               float* __restrict to_v) {
   for (int i = 0; i < count; ++i) to_v[i] = constant[i] + v * (slope[i] + v * bow[i]);
 }
@@ -157,8 +148,7 @@ std::optional<FaceChart> chart_of(const FaceShape& shape) {
   return chart;
 }
 
-std::vector<double> marker_lengths_mm(const FaceChart& chart,
-                                      const FaceShape& shape,
+std::vector<double> marker_lengths_mm(const FaceChart& chart, const FaceShape& shape,
                                       const Markers& markers) {
   std::vector<double> lengths(markers.size(), std::numeric_limits<double>::quiet_NaN());
   const Profile profile(chart, shape);
@@ -182,8 +172,7 @@ std::vector<double> marker_lengths_mm(const FaceChart& chart,
   return lengths;
 }
 
-SkinPositions skin_positions(const FaceChart& rest,
-                             const FaceShape& shape,
+SkinPositions skin_positions(const FaceChart& rest, const FaceShape& shape,
                              const Markers& markers) {
   SkinPositions positions;
   positions.marker_mm = marker_lengths_mm(rest, shape, markers);
@@ -192,9 +181,7 @@ SkinPositions skin_positions(const FaceChart& rest,
   return positions;
 }
 
-void register_chart(const SkinPositions& positions,
-                    const FaceShape& shape,
-                    const Markers& markers,
+void register_chart(const SkinPositions& positions, const FaceShape& shape, const Markers& markers,
                     FaceChart* chart) {
   struct Row {
     Eigen::Vector4d by;
@@ -310,18 +297,13 @@ ChartWarp::ChartWarp(const FaceChart& from, const FaceChart& to)
     // v' = a + b t + c t^2.
     const double a = upper + part * slope - tilt * slope, c = 2.0 * tilt * width_slope;
     const double b = lower - upper + part * width_slope + 2.0 * tilt * slope - tilt * width_slope;
-    put(a + t_at_0 * (b + t_at_0 * c),
-        t_per_v * (b + 2.0 * t_at_0 * c),
-        t_per_v * t_per_v * c,
-        i,
+    put(a + t_at_0 * (b + t_at_0 * c), t_per_v * (b + 2.0 * t_at_0 * c), t_per_v * t_per_v * c, i,
         rows_);
     // t = r - (c / b) r^2 with r = (v' - a) / b, as long as c is small against b.
     constexpr double kMinPerT = 1.0;
     const double per_v = 1.0 / std::max(b, kMinPerT), r_at_0 = -a * per_v, bow = c * per_v;
     put(u0 + tilt * (2.0 * r_at_0 * (1.0 - bow * r_at_0) - 1.0),
-        2.0 * tilt * per_v * (1.0 - 2.0 * bow * r_at_0),
-        -2.0 * tilt * bow * per_v * per_v,
-        i,
+        2.0 * tilt * per_v * (1.0 - 2.0 * bow * r_at_0), -2.0 * tilt * bow * per_v * per_v, i,
         columns_);
     const double reach = std::abs(tilt);
     const int u = origin_ + static_cast<int>(i), last = to.end() - 1;
@@ -333,19 +315,10 @@ ChartWarp::ChartWarp(const FaceChart& from, const FaceChart& to)
 
 void ChartWarp::positions(int v, int begin, int count, float* to_u, float* to_v) const {
   const std::ptrdiff_t i = begin - origin_;
-  columns_of_row(t_at_0_.data() + i,
-                 t_per_v_.data() + i,
-                 u0_.data() + i,
-                 tilt_.data() + i,
-                 static_cast<float>(v),
-                 count,
-                 to_u);
-  rows_of_row(rows_.constant.data() + i,
-              rows_.slope.data() + i,
-              rows_.bow.data() + i,
-              static_cast<float>(v),
-              count,
-              to_v);
+  columns_of_row(t_at_0_.data() + i, t_per_v_.data() + i, u0_.data() + i, tilt_.data() + i,
+                 static_cast<float>(v), count, to_u);
+  rows_of_row(rows_.constant.data() + i, rows_.slope.data() + i, rows_.bow.data() + i,
+              static_cast<float>(v), count, to_v);
 }
 
 std::pair<int, int> ChartWarp::columns_reaching(float min_u, float max_u) const {
@@ -362,9 +335,7 @@ constexpr std::size_t kMinShowing = 8;
 constexpr double kMinMm = 0.5, kScatters = 6.0;
 constexpr double kFurthest = 0.4;  // of the face's length, by which it is extended
 
-bool is_end(int u, int width_px) {
-  return u >= kBorder && u < width_px - kBorder;
-}
+bool is_end(int u, int width_px) { return u >= kBorder && u < width_px - kBorder; }
 
 }  // namespace
 

@@ -38,8 +38,7 @@ struct FaceChart {
 /// ends. Markers sit on the side faces, off the view face. The image distance of the two markers of
 /// a pair (numbers m and m + n) gives their distance z. The nearest point of the face's profile is
 /// the skin below.
-[[nodiscard]] std::vector<double> marker_lengths_mm(const FaceChart& chart,
-                                                    const FaceShape& shape,
+[[nodiscard]] std::vector<double> marker_lengths_mm(const FaceChart& chart, const FaceShape& shape,
                                                     const Markers& markers);
 
 /// Marker positions on the skin in the rest frame, to which charts of other frames are registered.
@@ -48,15 +47,12 @@ struct SkinPositions {
   int base_u = 0;                 ///< a column at the base, which hardly moves
   double base_mm = 0;             ///< the length there
 };
-[[nodiscard]] SkinPositions skin_positions(const FaceChart& rest,
-                                           const FaceShape& shape,
+[[nodiscard]] SkinPositions skin_positions(const FaceChart& rest, const FaceShape& shape,
                                            const Markers& markers);
 
 /// Shifts, stretches and tilts a chart so that the seen markers fit their positions, by robust
 /// least squares with a prior on stretch and tilt around 0. Without markers the base is held fixed.
-void register_chart(const SkinPositions& positions,
-                    const FaceShape& shape,
-                    const Markers& markers,
+void register_chart(const SkinPositions& positions, const FaceShape& shape, const Markers& markers,
                     FaceChart* chart);
 
 /// Extends a chart linearly beyond its ends by a fraction of its length, until its edges meet:

@@ -51,8 +51,8 @@ constexpr int kRowsAhead = 5;  // prefetched, because an image is larger than th
 using PieceSteps = PositionSteps<kWarpChunk>;
 
 /// A position in a row, in units of 2^-kPositionBits px.
-[[gnu::always_inline]] inline int position_in(
-    float constant, float slope, float bow, float row, float origin) {
+[[gnu::always_inline]] inline int position_in(float constant, float slope, float bow, float row,
+                                              float origin) {
   constexpr float kOne = 1 << kPositionBits;
   return static_cast<int>((constant + row * (slope + row * bow) - origin) * kOne + 0.5F);
 }
@@ -60,11 +60,8 @@ using PieceSteps = PositionSteps<kWarpChunk>;
 /// `per_position`: steps that the read window advances from one position to the next.
 [[gnu::always_inline]] inline PieceSteps find_piece(const float* __restrict constant,
                                                     const float* __restrict slope,
-                                                    const float* __restrict bow,
-                                                    float row,
-                                                    float origin,
-                                                    int last,
-                                                    int per_position) {
+                                                    const float* __restrict bow, float row,
+                                                    float origin, int last, int per_position) {
   std::array<int, kWarpChunk> fixed;
   for (int i = 0; i < kWarpChunk; ++i) {
     const auto k = static_cast<std::size_t>(i);
@@ -86,10 +83,8 @@ static_assert(kWarpChunk == 2 * kHalf);
 
 /// Half a chunk's grey levels: out[k] at its position k, which lies part[k] of 2^15 of a step
 /// behind steps[k]. Each half is finished by itself: loading two stored halves at once would stall.
-[[gnu::always_inline]] inline void take_half(const std::int16_t* from,
-                                             std::ptrdiff_t step,
-                                             int steps_apart,
-                                             const std::int16_t* steps,
+[[gnu::always_inline]] inline void take_half(const std::int16_t* from, std::ptrdiff_t step,
+                                             int steps_apart, const std::int16_t* steps,
                                              const std::int16_t* part,
                                              std::int16_t* __restrict out) {
   const auto at = [](const std::int16_t* address) __attribute__((always_inline)) {
@@ -114,23 +109,16 @@ static_assert(kWarpChunk == 2 * kHalf);
     out[k] = static_cast<std::int16_t>(here[k] + multiply_q15(further[k], part[k]));
 }
 
-[[gnu::always_inline]] inline void take_piece(const std::int16_t* from,
-                                              std::ptrdiff_t step,
+[[gnu::always_inline]] inline void take_piece(const std::int16_t* from, std::ptrdiff_t step,
                                               const PieceSteps& piece,
                                               std::int16_t* __restrict out) {
   for (std::size_t k = 0; k < kWarpChunk; k += kHalf)
-    take_half(from + k,
-              step,
-              piece.max_step - piece.min_step,
-              piece.steps.data() + k,
-              piece.part.data() + k,
-              out + k);
+    take_half(from + k, step, piece.max_step - piece.min_step, piece.steps.data() + k,
+              piece.part.data() + k, out + k);
 }
 
 /// The last position that lies before the image's last pixel.
-int last_position(int count) {
-  return std::max(0, ((count - 1) << kPositionBits) - 1);
-}
+int last_position(int count) { return std::max(0, ((count - 1) << kPositionBits) - 1); }
 
 /// Positions of one row at nodes, in units of 2^-kPositionBits px.
 constexpr int kNodeStep = ColumnQuadratics::kNodeStep;
@@ -138,12 +126,8 @@ constexpr int kGroup = 64;  // nodes at a time, plus one before and two behind t
 static_assert(kWarpChunk == 2 * kNodeStep && kGroup % 2 == 0);
 using Nodes = std::array<int, kGroup + 3>;
 
-[[gnu::always_inline]] inline void find_nodes(const RowQuadratics& positions,
-                                              std::size_t first,
-                                              int count,
-                                              float row,
-                                              float origin,
-                                              Nodes& nodes) {
+[[gnu::always_inline]] inline void find_nodes(const RowQuadratics& positions, std::size_t first,
+                                              int count, float row, float origin, Nodes& nodes) {
   const float* constant = positions.constant.data() + first;
   const float* slope = positions.slope.data() + first;
   const float* bow = positions.bow.data() + first;
@@ -176,9 +160,7 @@ constexpr PieceShares kShares = [] {
 /// A chunk's positions from three nodes, in 16-bit numbers. false where these overflow, and where
 /// some would have to be clamped. Also false where the nodes before and behind them show that the
 /// parabola's error exceeds 1/500 px: at most a 15th of the nodes' third differences.
-[[gnu::always_inline]] inline bool find_smooth_piece(const int* nodes,
-                                                     int last,
-                                                     int per_position,
+[[gnu::always_inline]] inline bool find_smooth_piece(const int* nodes, int last, int per_position,
                                                      PieceSteps& piece) {
   constexpr int kMaxSpread = INT16_MAX - (1 << kPositionBits);
   constexpr int kMaxThird = 15 * (1 << kPositionBits) / 500;
@@ -213,23 +195,14 @@ constexpr PieceShares kShares = [] {
   return true;
 }
 
-[[gnu::always_inline]] inline void warp_row(const std::int16_t* image,
-                                            std::ptrdiff_t step,
-                                            const RowWarp& warp,
-                                            int last,
-                                            int n,
-                                            std::int16_t* __restrict out,
-                                            int per_position) {
+[[gnu::always_inline]] inline void warp_row(const std::int16_t* image, std::ptrdiff_t step,
+                                            const RowWarp& warp, int last, int n,
+                                            std::int16_t* __restrict out, int per_position) {
   const ColumnQuadratics& positions = warp.positions;
   const auto exactly = [&](int i, PieceSteps& piece) __attribute__((always_inline)) {
     const std::ptrdiff_t column = warp.first + i;
-    piece = find_piece(positions.constant.data() + column,
-                       positions.slope.data() + column,
-                       positions.bow.data() + column,
-                       warp.row,
-                       warp.origin,
-                       last,
-                       per_position);
+    piece = find_piece(positions.constant.data() + column, positions.slope.data() + column,
+                       positions.bow.data() + column, warp.row, warp.origin, last, per_position);
   };
   const auto take = [&](int i, const PieceSteps& piece) __attribute__((always_inline)) {
     const std::int16_t* from = image + (per_position != 0 ? 0 : i) + piece.min_step * step;
@@ -250,12 +223,8 @@ constexpr PieceShares kShares = [] {
     const std::size_t before = node > 0 ? 1 : 0;
     const int end = std::min(n, group + kGroup * kNodeStep);
     const int pieces = (end - group + kWarpChunk - 1) / kWarpChunk;
-    find_nodes(positions.nodes,
-               node - before,
-               2 * pieces + 2 + static_cast<int>(before),
-               warp.row,
-               warp.origin,
-               nodes);
+    find_nodes(positions.nodes, node - before, 2 * pieces + 2 + static_cast<int>(before), warp.row,
+               warp.origin, nodes);
     for (int i = group; i < end; i += kWarpChunk) {
       const std::ptrdiff_t column = warp.first + i;
       const bool is_inside = column > 0 && column + kWarpChunk < positions.columns;
@@ -266,17 +235,13 @@ constexpr PieceShares kShares = [] {
   }
 }
 
-ALLTACT_WIDE void warp_row_along(
-    const std::int16_t* image, const RowWarp& warp, int last, int n, std::int16_t* out) {
+ALLTACT_WIDE void warp_row_along(const std::int16_t* image, const RowWarp& warp, int last, int n,
+                                 std::int16_t* out) {
   warp_row(image, 1, warp, last, n, out, 1);
 }
 
-ALLTACT_WIDE void warp_row_across(const std::int16_t* image,
-                                  std::ptrdiff_t stride,
-                                  const RowWarp& warp,
-                                  int last,
-                                  int n,
-                                  std::int16_t* out) {
+ALLTACT_WIDE void warp_row_across(const std::int16_t* image, std::ptrdiff_t stride,
+                                  const RowWarp& warp, int last, int n, std::int16_t* out) {
   warp_row(image, stride, warp, last, n, out, 0);
 }
 
@@ -286,10 +251,7 @@ void warp_along(const std::int16_t* image, const RowWarp& warp, int n, std::int1
   warp_row_along(image, warp, last_position(warp.count), n, out);
 }
 
-void warp_across(const std::int16_t* image,
-                 std::ptrdiff_t stride,
-                 const RowWarp& warp,
-                 int n,
+void warp_across(const std::int16_t* image, std::ptrdiff_t stride, const RowWarp& warp, int n,
                  std::int16_t* out) {
   warp_row_across(image, stride, warp, last_position(warp.count), n, out);
 }
@@ -333,8 +295,8 @@ struct Taps {
 /// For `n` positions, 1 to kPiece; entries behind them repeat the last one. `per_position`: pixels
 /// that the read window advances from one position to the next. `border`: pixels before the image's
 /// first one.
-[[gnu::always_inline]] inline Taps find_taps(
-    const float* __restrict positions, int n, int count, int border, int per_position) {
+[[gnu::always_inline]] inline Taps find_taps(const float* __restrict positions, int n, int count,
+                                             int border, int per_position) {
   constexpr float kOne = 1 << kPositionBits;
   const float limit = static_cast<float>(count - 1 + kReach);
   std::array<int, kPiece> fixed;
@@ -370,12 +332,8 @@ struct Taps {
 /// Interpolates a batch of positions that lie about a pixel apart. Rows are read in blocks, once
 /// per offset between the positions and their regular spacing, and weighted. `pixels`: the first of
 /// the bordered image. false: the spacing is too irregular.
-ALLTACT_WIDE bool sample_piece(const std::uint8_t* pixels,
-                               std::ptrdiff_t stride,
-                               const cv::Size& size,
-                               const float* at_u,
-                               const float* at_v,
-                               int n,
+ALLTACT_WIDE bool sample_piece(const std::uint8_t* pixels, std::ptrdiff_t stride,
+                               const cv::Size& size, const float* at_u, const float* at_v, int n,
                                std::uint8_t* __restrict out) {
   constexpr int kFactor = 1 << 7;
   const Taps u = find_taps(at_u, n, size.width, kMarginPx, 1);
@@ -412,8 +370,8 @@ ALLTACT_WIDE bool sample_piece(const std::uint8_t* pixels,
 
 CubicSampler::CubicSampler(const cv::Mat& grey) : size_(grey.size()) {
   CV_Assert(!grey.empty() && grey.type() == CV_8UC1);
-  cv::copyMakeBorder(
-      grey, bordered_, kAbovePx, kAbovePx, kMarginPx, kMarginPx, cv::BORDER_REPLICATE);
+  cv::copyMakeBorder(grey, bordered_, kAbovePx, kAbovePx, kMarginPx, kMarginPx,
+                     cv::BORDER_REPLICATE);
 }
 
 void CubicSampler::sample(const float* u, const float* v, int count, std::uint8_t* out) const {
@@ -445,13 +403,8 @@ constexpr std::size_t kMaxIdleBytes = std::size_t{256} << 20;
 /// Blocks by size. Never destroyed: images may outlive everything else.
 class Pool final : public cv::MatAllocator {
  public:
-  cv::UMatData* allocate(int dims,
-                         const int* sizes,
-                         int type,
-                         void* data,
-                         std::size_t* step,
-                         cv::AccessFlag flags,
-                         cv::UMatUsageFlags usage) const override {
+  cv::UMatData* allocate(int dims, const int* sizes, int type, void* data, std::size_t* step,
+                         cv::AccessFlag flags, cv::UMatUsageFlags usage) const override {
     CV_Assert(data == nullptr && dims == 2);
     (void)flags, (void)usage;
     step[1] = CV_ELEM_SIZE(type);

@@ -31,10 +31,7 @@ void warp_along(const std::int16_t* image, const RowWarp& warp, int n, std::int1
 
 /// out[i] = pixel i of the image's row at position i, linear between rows as above. `stride`: from
 /// row to row; kWarpChunk pixels behind the n must be readable in each row.
-void warp_across(const std::int16_t* image,
-                 std::ptrdiff_t stride,
-                 const RowWarp& warp,
-                 int n,
+void warp_across(const std::int16_t* image, std::ptrdiff_t stride, const RowWarp& warp, int n,
                  std::int16_t* out);
 
 // Interpolated grey levels of an image at many adjacent positions.

@@ -14,9 +14,7 @@ namespace {
 constexpr std::string_view kColumns = "frame,number,u,v,seen,radius,contrast";
 constexpr double kMarkerSdPx = 0.1;  // of recorded markers, as measured
 
-Message advice() {
-  return en::say("create the reference again from the recording");
-}
+Message advice() { return en::say("create the reference again from the recording"); }
 
 struct Line {
   int frame = 0, number = 0, seen = 0;
@@ -78,8 +76,7 @@ void set_typical_positions(MarkerTable& table) {
 
 Result<MarkerTable> MarkerTable::load(const std::filesystem::path& file, int marker_count) {
   if (marker_count <= 0)
-    return Error{en::say("the finger has no markers, so it has no marker table"),
-                 file.string(),
+    return Error{en::say("the finger has no markers, so it has no marker table"), file.string(),
                  en::say("set markers.per_row")};
   const auto content = read_file(file);
   if (!content) return content.error();
@@ -90,8 +87,7 @@ Result<MarkerTable> MarkerTable::load(const std::filesystem::path& file, int mar
   const auto first = lines.next();
   if (!first || *first != kColumns)
     return Error{en::say("not a marker table; its first line must be '{}'", std::string(kColumns)),
-                 file.string(),
-                 advice()};
+                 file.string(), advice()};
   MarkerTable table;
   std::vector<double> positions;
   const auto count = static_cast<std::size_t>(marker_count);
@@ -105,25 +101,24 @@ Result<MarkerTable> MarkerTable::load(const std::filesystem::path& file, int mar
       if (!take(rest, frames, true) || frames != table.frames.size() || inside != 0 ||
           !lines.at_end())
         return wrong(en::say("'{}' is not the last line of a table with {} frames",
-                             printable(*text),
-                             table.frames.size()));
+                             printable(*text), table.frames.size()));
       break;
     }
     Line line;
     if (!parse(*text, line))
-      return wrong(en::say(
-          "'{}' does not hold valid values of '{}'", printable(*text), std::string(kColumns)));
+      return wrong(en::say("'{}' does not hold valid values of '{}'", printable(*text),
+                           std::string(kColumns)));
     if (line.number != static_cast<int>(inside))
-      return wrong(en::say(
-          "marker {} stands where marker {} of {} is expected", line.number, inside, marker_count));
+      return wrong(en::say("marker {} stands where marker {} of {} is expected", line.number,
+                           inside, marker_count));
     if (inside == 0) {
       if (!table.frames.empty() && line.frame <= table.frames.back())
         return wrong(en::say("frame {} comes after frame {}", line.frame, table.frames.back()));
       table.frames.push_back(line.frame);
       table.seen.emplace_back(count, 0);
     } else if (line.frame != table.frames.back()) {
-      return wrong(en::say(
-          "frame {} has {} markers instead of {}", table.frames.back(), inside, marker_count));
+      return wrong(en::say("frame {} has {} markers instead of {}", table.frames.back(), inside,
+                           marker_count));
     }
     if (table.typical.size() <= inside) {
       table.typical.push_back({0, 0, line.radius, line.contrast, 0, false});
@@ -151,14 +146,9 @@ Status MarkerTable::save(const std::filesystem::path& file) const {
   for (std::size_t i = 0; i < frames.size(); ++i)
     for (std::size_t m = 0; m < typical.size(); ++m) {
       const auto row = static_cast<Eigen::Index>(i), k = static_cast<Eigen::Index>(2 * m);
-      text += fmt::format("{},{},{},{},{},{},{}\n",
-                          frames[i],
-                          m,
-                          layouts(row, k),
-                          layouts(row, k + 1),
-                          static_cast<int>(seen[i][m]),
-                          typical[m].radius_px,
-                          typical[m].contrast);
+      text +=
+          fmt::format("{},{},{},{},{},{},{}\n", frames[i], m, layouts(row, k), layouts(row, k + 1),
+                      static_cast<int>(seen[i][m]), typical[m].radius_px, typical[m].contrast);
     }
   text += fmt::format("end,{}\n", frames.size());
   return write_file_atomically(file, text);
@@ -188,8 +178,7 @@ MarkerTable reduced_table(MarkerTable table, int by) {
   return table;
 }
 
-Markers markers_of(const Eigen::MatrixXd& layouts,
-                   Eigen::Index row,
+Markers markers_of(const Eigen::MatrixXd& layouts, Eigen::Index row,
                    const std::vector<char>& seen) {
   Markers markers(static_cast<std::size_t>(layouts.cols() / 2));
   for (std::size_t m = 0; m < markers.size(); ++m) {

@@ -34,8 +34,7 @@ struct MarkerTable {
 [[nodiscard]] MarkerTable reduced_table(MarkerTable table, int by);
 
 /// A row of layouts (u0, v0, ...) as markers, with the uncertainty of recorded ones.
-[[nodiscard]] Markers markers_of(const Eigen::MatrixXd& layouts,
-                                 Eigen::Index row,
+[[nodiscard]] Markers markers_of(const Eigen::MatrixXd& layouts, Eigen::Index row,
                                  const std::vector<char>& seen);
 
 }  // namespace alltact

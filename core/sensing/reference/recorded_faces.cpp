@@ -217,8 +217,8 @@ class Reader {
       std::vector<Row> rows(first < count ? std::min(kAtOnce, count - first) : 0);
       for (std::size_t i = 0; i < rows.size(); ++i) {
         if (job.stop_requested())
-          return Error{
-              en::say("stopped before the reference was read"), frames_.video.string(), ""};
+          return Error{en::say("stopped before the reference was read"), frames_.video.string(),
+                       ""};
         auto grey = image(first + i);
         if (!grey) return grey.error();
         rows[i].number = first + i;
@@ -228,21 +228,18 @@ class Reader {
     });
   }
   [[nodiscard]] Error wrong(Message what) const {
-    return {std::move(what),
-            frames_.video.string(),
+    return {std::move(what), frames_.video.string(),
             en::say("create the reference again from the recording")};
   }
   [[nodiscard]] Error too_few(std::size_t found) const {
-    return wrong(en::say("the face was found in {} of {} recorded images; 2 are needed",
-                         found,
+    return wrong(en::say("the face was found in {} of {} recorded images; 2 are needed", found,
                          frames_.table.frames.size()));
   }
   [[nodiscard]] Result<cv::Mat> image(std::size_t row) const {
     const auto number = static_cast<std::size_t>(frames_.table.frames[row]);
     if (number >= frames_.count)
       return wrong(en::say("the marker table lists frame {} but the recording ends after {} frames",
-                           number,
-                           frames_.count));
+                           number, frames_.count));
     auto grey = frames_.frame(number);
     if (!grey) return wrong(grey.error().what);
     return grey;
@@ -280,10 +277,8 @@ bool are_on_grid(const FaceGrid& grid, const FaceCache& cache) {
          });
 }
 
-std::optional<RecordedFaces> restore_faces(FaceCache cache,
-                                           const MarkerTable& table,
-                                           const Finger& finger,
-                                           const Camera& camera) {
+std::optional<RecordedFaces> restore_faces(FaceCache cache, const MarkerTable& table,
+                                           const Finger& finger, const Camera& camera) {
   const std::size_t count = table.frames.size();
   const auto row_of_found = [](const FoundFace& face) { return face.row; };
   if (!are_ascending(cache.found, row_of_found, count) ||
@@ -324,24 +319,19 @@ std::optional<RecordedFaces> restore_faces(FaceCache cache,
 
 }  // namespace
 
-Result<RecordedFaces> read_recorded_faces(const RecordingInput& frames,
-                                          const Finger& finger,
-                                          const Camera& camera,
-                                          std::size_t limit_bytes,
+Result<RecordedFaces> read_recorded_faces(const RecordingInput& frames, const Finger& finger,
+                                          const Camera& camera, std::size_t limit_bytes,
                                           const Job& job) {
   try {
     return Reader(frames, finger, camera)(limit_bytes, job);
   } catch (const std::exception& problem) {
     return Error{en::say("the recording cannot be read ({})", std::string(problem.what())),
-                 frames.video.string(),
-                 en::say("create the reference again from the recording")};
+                 frames.video.string(), en::say("create the reference again from the recording")};
   }
 }
 
-std::optional<RecordedFaces> recorded_faces_from_cache(FaceCache cache,
-                                                       const MarkerTable& table,
-                                                       const Finger& finger,
-                                                       const Camera& camera) {
+std::optional<RecordedFaces> recorded_faces_from_cache(FaceCache cache, const MarkerTable& table,
+                                                       const Finger& finger, const Camera& camera) {
   try {
     return restore_faces(std::move(cache), table, finger, camera);
   } catch (const std::exception&) {
@@ -356,8 +346,8 @@ namespace fs = std::filesystem;
 static_assert(std::endian::native == std::endian::little, "files hold little-endian numbers");
 
 using Magic = std::array<char, 16>;
-constexpr Magic kMagic{
-    'a', 'l', 'l', 't', 'a', 'c', 't', '-', 'f', 'a', 'c', 'e', 's', '/', '1', '\n'};
+constexpr Magic kMagic{'a', 'l', 'l', 't', 'a', 'c', 't', '-',
+                       'f', 'a', 'c', 'e', 's', '/', '1', '\n'};
 constexpr std::size_t kMinFoundBytes = 150,
                       kMinImageBytes = 24;  // bytes of an entry without its lists
 constexpr std::size_t kMaxFiles = 8;
@@ -543,8 +533,7 @@ std::string pack_faces(const FaceCache& faces, const std::string& made_from) {
   return to.finished();
 }
 
-std::optional<FaceCache> unpack_faces(std::istream& file,
-                                      std::size_t bytes,
+std::optional<FaceCache> unpack_faces(std::istream& file, std::size_t bytes,
                                       const std::string& made_from) {
   Unpacker from(file, bytes);
   if (from.one<Magic>() != kMagic) return std::nullopt;

@@ -49,8 +49,7 @@ struct FaceCache {
 /// nothing where the file would exceed 128 MB.
 ///   made_from: text key of all inputs
 /// Errors: those of writing.
-[[nodiscard]] Status save_faces(const std::filesystem::path& folder,
-                                const std::string& made_from,
+[[nodiscard]] Status save_faces(const std::filesystem::path& folder, const std::string& made_from,
                                 const FaceCache& faces);
 
 /// Loads the faces of that key; nullopt: there are none, or the file is damaged.
@@ -62,8 +61,7 @@ struct FaceCache {
 
 /// Reads `bytes` of such a file; nullopt where they do not match `made_from`. Allocates no more
 /// memory than they have.
-[[nodiscard]] std::optional<FaceCache> unpack_faces(std::istream& file,
-                                                    std::size_t bytes,
+[[nodiscard]] std::optional<FaceCache> unpack_faces(std::istream& file, std::size_t bytes,
                                                     const std::string& made_from);
 
 /// Returns a frame of a recording by its number in the video: CV_8UC1, oriented as the finger's
@@ -100,10 +98,8 @@ struct RecordedFaces {
 /// sampling in marker space). Errors: an image that cannot be read; fewer than 2 faces found;
 /// stopped.
 [[nodiscard]] Result<RecordedFaces> read_recorded_faces(const RecordingInput& frames,
-                                                        const Finger& finger,
-                                                        const Camera& camera,
-                                                        std::size_t limit_bytes,
-                                                        const Job& job);
+                                                        const Finger& finger, const Camera& camera,
+                                                        std::size_t limit_bytes, const Job& job);
 
 /// The same from the cache, without images; nullopt where the cache does not fit the table and the
 /// camera.

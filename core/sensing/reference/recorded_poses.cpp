@@ -13,8 +13,8 @@
 namespace alltact {
 namespace {
 
-ALLTACT_WIDE void add_distances(
-    const float* u, const float* v, float at_u, float at_v, std::size_t n, float* sum) {
+ALLTACT_WIDE void add_distances(const float* u, const float* v, float at_u, float at_v,
+                                std::size_t n, float* sum) {
   for (std::size_t i = 0; i < n; ++i) {
     const float du = u[i] - at_u, dv = v[i] - at_v;
     sum[i] += std::sqrt(du * du + dv * dv);
@@ -69,14 +69,12 @@ void LayoutSearch::group_layouts(const Eigen::MatrixXd& layouts, std::size_t cou
   for (std::size_t row = 0; row < frames_; ++row) {
     std::fill(sum.begin(), sum.end(), 0.0F);
     for (std::size_t m = 0; m < markers_; ++m)
-      add_distances(columns[2 * m].data(),
-                    columns[2 * m + 1].data(),
+      add_distances(columns[2 * m].data(), columns[2 * m + 1].data(),
                     static_cast<float>(
                         layouts(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(2 * m))),
                     static_cast<float>(layouts(static_cast<Eigen::Index>(row),
                                                static_cast<Eigen::Index>(2 * m + 1))),
-                    count,
-                    sum.data());
+                    count, sum.data());
     const auto nearest_group = std::min_element(sum.begin(), sum.end()) - sum.begin();
     members[static_cast<std::size_t>(nearest_group)].push_back(static_cast<int>(row));
   }
@@ -104,9 +102,8 @@ std::vector<LayoutSearch::Bound> LayoutSearch::bounds(const Markers& markers) co
     }
     bounds[g] = {kRoundingFactor * sum - kRoundingPx, g};
   }
-  std::sort(bounds.begin(), bounds.end(), [](const Bound& a, const Bound& b) {
-    return a.lower_bound < b.lower_bound;
-  });
+  std::sort(bounds.begin(), bounds.end(),
+            [](const Bound& a, const Bound& b) { return a.lower_bound < b.lower_bound; });
   return bounds;
 }
 
@@ -122,12 +119,8 @@ NearestFrame LayoutSearch::nearest(const Markers& markers, const std::vector<cha
     sum.assign(size, 0.0F);
     for (const std::size_t m : numbers) {
       const float* u = coordinates_.data() + group.begin * 2 * markers_ + 2 * m * size;
-      add_distances(u,
-                    u + size,
-                    static_cast<float>(markers[m].u),
-                    static_cast<float>(markers[m].v),
-                    size,
-                    sum.data());
+      add_distances(u, u + size, static_cast<float>(markers[m].u), static_cast<float>(markers[m].v),
+                    size, sum.data());
     }
     for (std::size_t i = 0; i < size; ++i) {
       const int row = rows_[group.begin + i];
@@ -137,9 +130,8 @@ NearestFrame LayoutSearch::nearest(const Markers& markers, const std::vector<cha
       best_row = row;
     }
   }
-  return {
-      best_row,
-      static_cast<double>(best) / static_cast<double>(std::max<std::size_t>(1, numbers.size()))};
+  return {best_row, static_cast<double>(best) /
+                        static_cast<double>(std::max<std::size_t>(1, numbers.size()))};
 }
 
 LayoutSearch::Stored LayoutSearch::stored(std::size_t row) const {
@@ -150,8 +142,7 @@ LayoutSearch::Stored LayoutSearch::stored(std::size_t row) const {
           group->end - group->begin};
 }
 
-double LayoutSearch::distance_px(const Markers& markers,
-                                 const std::vector<int>& rows,
+double LayoutSearch::distance_px(const Markers& markers, const std::vector<int>& rows,
                                  const Eigen::VectorXd& weights) const {
   std::vector<Stored> layouts;
   for (const int row : rows) layouts.push_back(stored(static_cast<std::size_t>(row)));
@@ -198,8 +189,7 @@ namespace {
 
 // With k the diagonal of the kernel and D the offsets p_i - query, the minimum is
 //   w = k (lambda - D mu),  mu = (ridge^2 I + D' k D)^-1 D' k lambda,  lambda so that sum w = 1.
-Eigen::VectorXd weights_with(const Eigen::MatrixXd& offsets,
-                             const Eigen::VectorXd& kernel,
+Eigen::VectorXd weights_with(const Eigen::MatrixXd& offsets, const Eigen::VectorXd& kernel,
                              double ridge_px) {
   const Eigen::MatrixXd weighted = kernel.asDiagonal() * offsets;
   Eigen::MatrixXd normal = offsets.transpose() * weighted;
@@ -212,10 +202,8 @@ Eigen::VectorXd weights_with(const Eigen::MatrixXd& offsets,
 /// Selects rows by their distance from the pose: the nearest half, and further ones in new
 /// directions. A row is redundant if it lies nearer to a selected row than half of its distance to
 /// the pose.
-std::vector<int> spread_neighbours(const Eigen::MatrixXd& modes,
-                                   const Eigen::VectorXd& pose,
-                                   const std::vector<int>& nearest,
-                                   int count) {
+std::vector<int> spread_neighbours(const Eigen::MatrixXd& modes, const Eigen::VectorXd& pose,
+                                   const std::vector<int>& nearest, int count) {
   constexpr double kApart = 0.5;
   const auto max_rows = static_cast<std::size_t>(count);
   std::vector<int> taken, passed;
@@ -233,8 +221,7 @@ std::vector<int> spread_neighbours(const Eigen::MatrixXd& modes,
   return taken;
 }
 
-double reach_px2(const Eigen::MatrixXd& points,
-                 const Eigen::VectorXd& pose,
+double reach_px2(const Eigen::MatrixXd& points, const Eigen::VectorXd& pose,
                  const Eigen::VectorXd& weights) {
   const Eigen::VectorXd square = (points.rowwise() - pose.transpose()).rowwise().squaredNorm();
   const double missed = (points.transpose() * weights - pose).norm();
@@ -245,10 +232,8 @@ double reach_px2(const Eigen::MatrixXd& points,
 
 }  // namespace
 
-Eigen::VectorXd local_linear_weights(const Eigen::MatrixXd& points,
-                                     const Eigen::VectorXd& query,
-                                     double ridge_px,
-                                     double max_magnitude) {
+Eigen::VectorXd local_linear_weights(const Eigen::MatrixXd& points, const Eigen::VectorXd& query,
+                                     double ridge_px, double max_magnitude) {
   const Eigen::MatrixXd offsets = points.rowwise() - query.transpose();
   const Eigen::VectorXd square = offsets.rowwise().squaredNorm();
   // Wide enough that several frames share the noise, narrow enough that the nearest one dominates.
@@ -266,18 +251,15 @@ Eigen::VectorXd local_linear_weights(const Eigen::MatrixXd& points,
   return w;
 }
 
-PoseNeighbours pose_neighbours(const Eigen::MatrixXd& modes,
-                               const Eigen::VectorXd& pose,
-                               int marker_count,
-                               const std::vector<char>& without,
-                               int count) {
+PoseNeighbours pose_neighbours(const Eigen::MatrixXd& modes, const Eigen::VectorXd& pose,
+                               int marker_count, const std::vector<char>& without, int count) {
   // of every marker: a smaller mismatch is not worth more noise
   constexpr double kMismatchPx = 0.2;
   constexpr double kMaxWeight = 2.9;  // sum of |w|: noise and model error grow with it
   PoseNeighbours found;
   constexpr int kCandidates = 8;  // times as many
-  found.rows = spread_neighbours(
-      modes, pose, nearest_rows(modes, pose, kCandidates * count, without), count);
+  found.rows = spread_neighbours(modes, pose,
+                                 nearest_rows(modes, pose, kCandidates * count, without), count);
   const Eigen::MatrixXd points = modes(found.rows, Eigen::all);
   const double ridge_px = kMismatchPx * std::sqrt(static_cast<double>(marker_count));
   found.weights = local_linear_weights(points, pose, ridge_px, kMaxWeight);
@@ -292,9 +274,7 @@ constexpr double kNearlyAll = 0.95;     // of the faces
 constexpr double kPositionSdPx = 0.05;  // of an edge's smooth curve
 
 /// Linear interpolation value_between two samples, and extrapolation beyond the last ones.
-double value_between(const std::vector<float>& x,
-                     const std::vector<float>& y,
-                     std::size_t k,
+double value_between(const std::vector<float>& x, const std::vector<float>& y, std::size_t k,
                      double at) {
   const double x0 = x[k - 1], x1 = x[k], y0 = y[k - 1], y1 = y[k];
   return x1 == x0 ? y0 : y0 + (y1 - y0) * (at - x0) / (x1 - x0);
@@ -359,8 +339,8 @@ double edge_distance_px(const EdgeCurves& a, const EdgeCurves& b) {
 
 std::optional<EdgePositions> choose_edge_positions(const std::vector<EdgeCurves>& faces) {
   // In a few frames the nearer end may seem the farther one.
-  const auto at_low_u = std::count_if(
-      faces.begin(), faces.end(), [](const EdgeCurves& face) { return face.base_at_low_u; });
+  const auto at_low_u = std::count_if(faces.begin(), faces.end(),
+                                      [](const EdgeCurves& face) { return face.base_at_low_u; });
   const bool base_at_low_u = 2 * static_cast<std::size_t>(at_low_u) >= faces.size();
   const auto has_base = [&](const EdgeCurves& face) {
     return face.u.size() >= 2 && face.base_at_low_u == base_at_low_u;
@@ -398,14 +378,14 @@ Markers markers_at(const EdgePositions& positions, const EdgeCurves& curves) {
     const double at_mm = from_mm + (static_cast<double>(i) + 0.5) * positions.step_mm;
     if (!(at_mm >= along.front() && at_mm <= along.back())) continue;
     const auto after = std::lower_bound(along.begin(), along.end(), static_cast<float>(at_mm));
-    const auto k = std::clamp<std::size_t>(
-        static_cast<std::size_t>(after - along.begin()), 1, along.size() - 1);
+    const auto k = std::clamp<std::size_t>(static_cast<std::size_t>(after - along.begin()), 1,
+                                           along.size() - 1);
     const double column = value_between(along, u, k, at_mm);
     const std::size_t sample = sample_after(curves, column);
-    markers[i] = {
-        column, value_between(curves.u, curves.upper, sample, column), true, kPositionSdPx};
-    markers[kPerEdge + i] = {
-        column, value_between(curves.u, curves.lower, sample, column), true, kPositionSdPx};
+    markers[i] = {column, value_between(curves.u, curves.upper, sample, column), true,
+                  kPositionSdPx};
+    markers[kPerEdge + i] = {column, value_between(curves.u, curves.lower, sample, column), true,
+                             kPositionSdPx};
   }
   return markers;
 }

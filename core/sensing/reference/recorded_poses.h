@@ -37,8 +37,7 @@ class LayoutSearch {
                                      const std::vector<char>& without = {}) const;
 
   /// Mean distance, over the same markers, to the sum of weights[i] times row rows[i].
-  [[nodiscard]] double distance_px(const Markers& markers,
-                                   const std::vector<int>& rows,
+  [[nodiscard]] double distance_px(const Markers& markers, const std::vector<int>& rows,
                                    const Eigen::VectorXd& weights) const;
 
   /// Median over the rows (about 200 of them at most) of the distance to the nearest other row.
@@ -94,8 +93,7 @@ class LayoutSearch {
 /// outside, the ridge limits the weights. It is raised until sum |w_i| <= `max_magnitude`; in the
 /// limit the weights are those of a kernel mean.
 [[nodiscard]] Eigen::VectorXd local_linear_weights(const Eigen::MatrixXd& points,
-                                                   const Eigen::VectorXd& query,
-                                                   double ridge_px,
+                                                   const Eigen::VectorXd& query, double ridge_px,
                                                    double max_magnitude);
 
 inline constexpr int kPoseNeighbours = 8;  ///< default: more gain little and cost their share
@@ -117,8 +115,7 @@ struct PoseNeighbours {
 /// with the nearest alone. marker_count: of the layouts of the modes. `without` (by row) marks
 /// frames to exclude, empty: none.
 [[nodiscard]] PoseNeighbours pose_neighbours(const Eigen::MatrixXd& modes,
-                                             const Eigen::VectorXd& pose,
-                                             int marker_count,
+                                             const Eigen::VectorXd& pose, int marker_count,
                                              const std::vector<char>& without,
                                              int count = kPoseNeighbours);
 

@@ -27,11 +27,8 @@ constexpr int kAhead = 512;  // bytes: several recorded faces are streamed from 
 
 // (grey 2^7) (weight 2^14) / 2^15 = grey weight 2^6. Intermediate sums may wrap around; the final
 // sum fits.
-ALLTACT_WIDE void mix_rows(const std::uint8_t* const* rows,
-                           const std::int16_t* weights,
-                           int count,
-                           int n,
-                           std::int16_t* __restrict out) {
+ALLTACT_WIDE void mix_rows(const std::uint8_t* const* rows, const std::int16_t* weights, int count,
+                           int n, std::int16_t* __restrict out) {
   constexpr int kFactor = 1 << 7;
   static_assert(kGreySteps << (15 - kWeightBits) == kFactor);
   in_blocks(
@@ -85,8 +82,8 @@ ReferenceImage::ReferenceImage(const cv::Mat& grey)
     : single_(grey.size(), CV_16SC1), size_(grey.size()) {
   CV_Assert(grey.type() == CV_32FC1);
   for (int v = 0; v < grey.rows; ++v)
-    std::transform(
-        grey.ptr<float>(v), grey.ptr<float>(v) + grey.cols, single_.ptr<std::int16_t>(v), to_steps);
+    std::transform(grey.ptr<float>(v), grey.ptr<float>(v) + grey.cols, single_.ptr<std::int16_t>(v),
+                   to_steps);
 }
 
 std::pair<int, int> FaceMix::shown(const FaceGrid& grid) const {
@@ -118,11 +115,8 @@ struct ReferenceImage::MixedColumns {
     const int begin = is_narrow ? std::min(from, run.end - kBlock) : from;
     for (std::size_t k = 0; k < rows.size(); ++k)
       rows[k] = mix.faces[k]->grey.data() + run.before + (begin - run.first);
-    mix_rows(rows.data(),
-             weights.data(),
-             static_cast<int>(rows.size()),
-             is_narrow ? kBlock : to - from,
-             is_narrow ? block.data() : mixed + from);
+    mix_rows(rows.data(), weights.data(), static_cast<int>(rows.size()),
+             is_narrow ? kBlock : to - from, is_narrow ? block.data() : mixed + from);
     if (is_narrow) std::copy_n(block.data() + (from - begin), to - from, mixed + from);
     // Where the face's edge is steep, sampled positions may lie slightly outside of the run.
     if (from == run.first) std::fill(mixed + from - kMarginColumns, mixed + from, mixed[from]);
@@ -130,10 +124,8 @@ struct ReferenceImage::MixedColumns {
   }
 };
 
-ReferenceImage::ReferenceImage(const FaceGrid& grid,
-                               const std::vector<FaceMix>& mixes,
-                               ChartWarp warp,
-                               const cv::Size& size)
+ReferenceImage::ReferenceImage(const FaceGrid& grid, const std::vector<FaceMix>& mixes,
+                               ChartWarp warp, const cv::Size& size)
     : origin_(grid.origin), warp_(std::move(warp)), size_(size) {
   CV_Assert(!mixes.empty());
   std::pair<int, int> done = mixes.front().shown(grid);
@@ -171,11 +163,11 @@ std::pair<int, int> between(int low, int high, IsInside is_inside) {
 
 /// The part of the warp that stays within columns of the grid.
 std::pair<int, int> ReferenceImage::columns_within(int first, int end) const {
-  return between(
-      std::max(0, warp_.inner_first()), std::min(size_.width, warp_.inner_end()), [&](int u) {
-        const auto [low, high] = warp_.reach(u);
-        return low >= first + origin_.x && high <= end - 1 + origin_.x;
-      });
+  return between(std::max(0, warp_.inner_first()), std::min(size_.width, warp_.inner_end()),
+                 [&](int u) {
+                   const auto [low, high] = warp_.reach(u);
+                   return low >= first + origin_.x && high <= end - 1 + origin_.x;
+                 });
 }
 
 /// The part of the warp that overlaps columns of the grid.
@@ -200,13 +192,9 @@ void ReferenceImage::mix_and_warp(const FaceGrid& grid, std::vector<MixedColumns
     const int from = std::max(first, 0), to = std::min(end, size_.width);
     if (from >= to) continue;
     warp_along(mixed,
-               {warp_.columns(),
-                from - warp_.origin(),
-                static_cast<float>(run.row + origin_.y),
-                static_cast<float>(origin_.x),
-                grid.size.width},
-               to - from,
-               warped_.ptr<std::int16_t>(run.row) + from);
+               {warp_.columns(), from - warp_.origin(), static_cast<float>(run.row + origin_.y),
+                static_cast<float>(origin_.x), grid.size.width},
+               to - from, warped_.ptr<std::int16_t>(run.row) + from);
   }
 }
 
@@ -249,15 +237,10 @@ const std::int16_t* ReferenceImage::Reader::row(int v, std::span<const FaceRun> 
       std::fill(buffer_.data() + run.first, buffer_.data() + run.end, kNoGrey);
       continue;
     }
-    warp_across(image_.warped_.ptr<std::int16_t>(0) + first,
-                image_.warped_.cols,
-                {image_.warp_.rows(),
-                 first - image_.warp_.origin(),
-                 static_cast<float>(v),
-                 static_cast<float>(image_.origin_.y),
-                 image_.warped_rows_},
-                end - first,
-                buffer_.data() + first);
+    warp_across(image_.warped_.ptr<std::int16_t>(0) + first, image_.warped_.cols,
+                {image_.warp_.rows(), first - image_.warp_.origin(), static_cast<float>(v),
+                 static_cast<float>(image_.origin_.y), image_.warped_rows_},
+                end - first, buffer_.data() + first);
     const int full = std::clamp(image_.full_first_, first, end);
     clear_hidden(v, first, full);
     clear_hidden(v, std::clamp(image_.full_end_, full, end), end);
@@ -334,8 +317,8 @@ FaceImage warp_face(const cv::Mat& grey, const FaceChart& chart, const FaceGrid&
     const int first = std::max(run.first, image.first), end = std::min(run.end, image.end);
     if (first >= end) continue;
     warp.positions(run.row + grid.origin.y, first + grid.origin.x, end - first, u.data(), v.data());
-    seen.sample(
-        u.data(), v.data(), end - first, image.grey.data() + run.before + (first - run.first));
+    seen.sample(u.data(), v.data(), end - first,
+                image.grey.data() + run.before + (first - run.first));
   }
   return image;
 }
@@ -379,8 +362,8 @@ cv::Mat cells_of(const FaceGrid& grid, const FaceImage& face) {
     for (int u = std::max(run.first, face.first), next = 0; u < end; u = next) {
       const int cell = u / kCell;
       next = std::min(end, (cell + 1) * kCell);
-      sum.at<int>(row, cell) = std::accumulate(
-          grey + (u - run.first), grey + (next - run.first), sum.at<int>(row, cell));
+      sum.at<int>(row, cell) = std::accumulate(grey + (u - run.first), grey + (next - run.first),
+                                               sum.at<int>(row, cell));
       count.at<int>(row, cell) += next - u;
     }
   }
@@ -448,9 +431,8 @@ Eigen::MatrixXd pose_terms(const Eigen::MatrixXd& modes) {
   const auto count = [](Eigen::Index n) { return 1 + n + n * (n + 1) / 2; };
   while (used > 0 && 4 * count(used) > frames) --used;
   Eigen::MatrixXd terms(frames, count(used));
-  const double scale = std::max(1e-9,
-                                modes.leftCols(std::max<Eigen::Index>(used, 1)).norm() /
-                                    std::sqrt(static_cast<double>(frames)));
+  const double scale = std::max(1e-9, modes.leftCols(std::max<Eigen::Index>(used, 1)).norm() /
+                                          std::sqrt(static_cast<double>(frames)));
   terms.col(0).setOnes();
   Eigen::Index next = 1;
   for (Eigen::Index a = 0; a < used; ++a) terms.col(next++) = modes.col(a) / scale;
@@ -461,8 +443,8 @@ Eigen::MatrixXd pose_terms(const Eigen::MatrixXd& modes) {
 }
 
 /// Multiplies one row's pixels by a + b u + c u^2; clipped ones stay clipped.
-ALLTACT_WIDE void multiply_row(
-    std::uint8_t* grey, int count, int first, float a, float b, float c) {
+ALLTACT_WIDE void multiply_row(std::uint8_t* grey, int count, int first, float a, float b,
+                               float c) {
   for (int i = 0; i < count; ++i) {
     const auto u = static_cast<float>(first + i);
     const auto level = static_cast<float>(grey[i]);
@@ -481,9 +463,7 @@ void multiply(const FaceGrid& grid, const Terms& light, FaceImage& face) {
                  t = 2.0 * (run.row + 0.5) / grid.size.height - 1.0;
     const double constant = 1.0 + light[0] + t * (light[2] + t * light[5]),
                  slope = light[1] + t * light[4];
-    multiply_row(face.grey.data() + run.before,
-                 run.size(),
-                 run.first,
+    multiply_row(face.grey.data() + run.before, run.size(), run.first,
                  static_cast<float>(constant + from * (slope + from * light[3])),
                  static_cast<float>(per_px * (slope + 2.0 * from * light[3])),
                  static_cast<float>(per_px * per_px * light[3]));
@@ -533,10 +513,8 @@ cv::Mat computed_from(const std::vector<cv::Mat>& cells, const PoseNeighbours& n
 /// Adds up the squared errors of each cell over the studied frames, less their noise, and counts
 /// them. They are NaN where a frame did not show a cell. Frames with an unnoticed contact at a cell
 /// are outliers there and excluded.
-void add_inliers(const std::vector<cv::Mat>& squares,
-                 const std::vector<cv::Mat>& noise,
-                 cv::Mat& sum,
-                 cv::Mat& count) {
+void add_inliers(const std::vector<cv::Mat>& squares, const std::vector<cv::Mat>& noise,
+                 cv::Mat& sum, cv::Mat& count) {
   constexpr double kFar = 4.0;  // standard deviations
   std::vector<float> shown;
   for (int y = 0; y < sum.rows; ++y)
@@ -562,8 +540,7 @@ double ReferenceError::factor(double reach) const {
   return std::sqrt(kConstantPart + (1.0 - kConstantPart) * further * further);
 }
 
-void remove_drift(const FaceGrid& grid,
-                  const Eigen::MatrixXd& modes,
+void remove_drift(const FaceGrid& grid, const Eigen::MatrixXd& modes,
                   std::vector<FaceImage>& faces) {
   if (static_cast<int>(faces.size()) < kMinFrames) return;
   const auto count = static_cast<int>(faces.size());
@@ -583,8 +560,7 @@ void remove_drift(const FaceGrid& grid,
   });
 }
 
-ReferenceError reference_error(const FaceGrid& grid,
-                               const std::vector<FaceImage>& faces,
+ReferenceError reference_error(const FaceGrid& grid, const std::vector<FaceImage>& faces,
                                const std::function<PoseNeighbours(int)>& neighbours_of) {
   const std::vector<cv::Mat> cells = cells_of(grid, faces);
   const std::size_t studied = std::min(faces.size(), std::size_t{kMaxStudied});

@@ -39,8 +39,7 @@ struct FaceImage {
 };
 
 /// Samples a frame (CV_8UC1) at the skin of each of the grid's pixels (CubicSampler).
-[[nodiscard]] FaceImage warp_face(const cv::Mat& grey,
-                                  const FaceChart& chart,
+[[nodiscard]] FaceImage warp_face(const cv::Mat& grey, const FaceChart& chart,
                                   const FaceGrid& grid);
 
 /// Recorded faces and their weights.
@@ -60,9 +59,7 @@ class ReferenceImage {
   explicit ReferenceImage(const cv::Mat& grey);
   /// Sum of weights[i] * faces[i] of the first mix all of whose faces show the skin. `warp` maps
   /// each pixel of the frame to the grid (bilinear). At least one mix.
-  ReferenceImage(const FaceGrid& grid,
-                 const std::vector<FaceMix>& mixes,
-                 ChartWarp warp,
+  ReferenceImage(const FaceGrid& grid, const std::vector<FaceMix>& mixes, ChartWarp warp,
                  const cv::Size& size);
 
   [[nodiscard]] const cv::Size& size() const { return size_; }
@@ -169,14 +166,12 @@ struct ReferenceError {
 /// Removes the drift of lamps: the light of every recorded face is corrected to a smooth function
 /// of the pose (`modes`, a row per frame, largest variance first). Requires 12 frames; with fewer
 /// nothing changes.
-void remove_drift(const FaceGrid& grid,
-                  const Eigen::MatrixXd& modes,
+void remove_drift(const FaceGrid& grid, const Eigen::MatrixXd& modes,
                   std::vector<FaceImage>& faces);
 
 /// `neighbours_of` frame i, without itself, must be thread safe.
 [[nodiscard]] ReferenceError reference_error(
-    const FaceGrid& grid,
-    const std::vector<FaceImage>& faces,
+    const FaceGrid& grid, const std::vector<FaceImage>& faces,
     const std::function<PoseNeighbours(int)>& neighbours_of);
 
 }  // namespace alltact

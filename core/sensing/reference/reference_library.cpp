@@ -34,24 +34,16 @@ struct CacheKey {
 struct ReferenceLibrary::Content {
   Content() = default;  // without faces: of a single image
   /// For faces whose drift and error are known or still to be estimated.
-  Content(MarkerModel learnt,
-          RecordedFaces&& read,
-          const MarkerTable& table,
-          const Finger& finger,
+  Content(MarkerModel learnt, RecordedFaces&& read, const MarkerTable& table, const Finger& finger,
           const Camera& camera);
   /// Loads the faces that an earlier run saved; null: there are none.
-  static std::shared_ptr<Content> from_cache(const CacheKey& key,
-                                             MarkerModel learnt,
+  static std::shared_ptr<Content> from_cache(const CacheKey& key, MarkerModel learnt,
                                              const MarkerTable& table,
                                              const FingerSnapshot& snapshot);
   /// Reads the faces from the frames of a recording, and saves them where there is a `key`.
-  static Result<std::shared_ptr<const Content>> from_frames(const RecordingInput& frames,
-                                                            MarkerModel learnt,
-                                                            const Finger& finger,
-                                                            const Camera& camera,
-                                                            const Job& job,
-                                                            std::size_t memory_limit_bytes,
-                                                            const std::optional<CacheKey>& key);
+  static Result<std::shared_ptr<const Content>> from_frames(
+      const RecordingInput& frames, MarkerModel learnt, const Finger& finger, const Camera& camera,
+      const Job& job, std::size_t memory_limit_bytes, const std::optional<CacheKey>& key);
   /// From the cache, else from the video.
   static Result<std::shared_ptr<const Content>> read(const std::filesystem::path& video_file,
                                                      const MarkerTable& table,
@@ -62,8 +54,7 @@ struct ReferenceLibrary::Content {
   /// Removes the drift of the light from the faces, and estimates the error of references.
   void analyse_faces();
   /// Saves the analysed faces for the next run; on failure that run reads the recording again.
-  void save_cache(const CacheKey& key,
-                  std::vector<FoundFace> found,
+  void save_cache(const CacheKey& key, std::vector<FoundFace> found,
                   const std::vector<std::size_t>& retained);
   /// The recorded frames nearest to a pose in the modes, and their weights there.
   [[nodiscard]] PoseNeighbours neighbours(const Eigen::VectorXd& pose,
@@ -210,8 +201,8 @@ std::optional<std::string> made_from(const std::filesystem::path& video,
   for (const std::filesystem::path& file : {video, table}) {
     struct stat of {};
     if (stat(file.c_str(), &of) != 0) return std::nullopt;
-    key += fmt::format(
-        " {} {} {} {}.{}", of.st_dev, of.st_ino, of.st_size, of.st_mtim.tv_sec, of.st_mtim.tv_nsec);
+    key += fmt::format(" {} {} {} {}.{}", of.st_dev, of.st_ino, of.st_size, of.st_mtim.tv_sec,
+                       of.st_mtim.tv_nsec);
   }
   return key;
 }
@@ -225,8 +216,7 @@ std::optional<CacheKey> cache_key(const std::optional<std::string>& made_from) {
   return CacheKey{std::move(*folder), code + " " + *made_from};
 }
 
-Result<MarkerModel> learn_model(const MarkerTable& table,
-                                const Finger& finger,
+Result<MarkerModel> learn_model(const MarkerTable& table, const Finger& finger,
                                 const std::filesystem::path& video_file) {
   std::vector<int> missing;
   if (!finger.reference || !finger.reference->positions) missing = finger.markers.missing;
@@ -237,8 +227,7 @@ Result<MarkerModel> learn_model(const MarkerTable& table,
 
 }  // namespace
 
-Result<ReferenceLibrary> ReferenceLibrary::load(const FingerSnapshot& snapshot,
-                                                const Job& job,
+Result<ReferenceLibrary> ReferenceLibrary::load(const FingerSnapshot& snapshot, const Job& job,
                                                 std::size_t memory_limit_bytes) {
   const std::filesystem::path& finger_folder = snapshot.folder;
   const Finger& finger = snapshot.finger;
@@ -257,12 +246,8 @@ Result<ReferenceLibrary> ReferenceLibrary::load(const FingerSnapshot& snapshot,
   const auto read_content = [&]() -> Result<std::shared_ptr<const Content>> {
     const auto table = MarkerTable::load(table_file, finger.marker_count());
     if (!table) return table.error();
-    return Content::read(video_file,
-                         reduced_table(*table, snapshot.reduced_by),
-                         snapshot,
-                         cache_key(key),
-                         job,
-                         memory_limit_bytes);
+    return Content::read(video_file, reduced_table(*table, snapshot.reduced_by), snapshot,
+                         cache_key(key), job, memory_limit_bytes);
   };
   static SharedValues<Content> shared;
   const Error stopped{en::say("stopped before the reference was read"), video_file, ""};
@@ -271,10 +256,8 @@ Result<ReferenceLibrary> ReferenceLibrary::load(const FingerSnapshot& snapshot,
   return ReferenceLibrary(std::move(*content));
 }
 
-ReferenceLibrary::Content::Content(MarkerModel learnt,
-                                   RecordedFaces&& read,
-                                   const MarkerTable& table,
-                                   const Finger& finger,
+ReferenceLibrary::Content::Content(MarkerModel learnt, RecordedFaces&& read,
+                                   const MarkerTable& table, const Finger& finger,
                                    const Camera& camera)
     : size(camera.size()),
       grid(std::move(read.grid)),
@@ -309,9 +292,7 @@ void ReferenceLibrary::Content::analyse_faces() {
 }
 
 std::shared_ptr<ReferenceLibrary::Content> ReferenceLibrary::Content::from_cache(
-    const CacheKey& key,
-    MarkerModel learnt,
-    const MarkerTable& table,
+    const CacheKey& key, MarkerModel learnt, const MarkerTable& table,
     const FingerSnapshot& snapshot) {
   auto cached = load_faces(key.folder, key.made_from);
   if (!cached) return nullptr;
@@ -319,14 +300,13 @@ std::shared_ptr<ReferenceLibrary::Content> ReferenceLibrary::Content::from_cache
   auto faces =
       recorded_faces_from_cache(std::move(*cached), table, snapshot.finger, snapshot.camera);
   if (!faces) return nullptr;
-  auto content = std::make_shared<Content>(
-      std::move(learnt), std::move(*faces), table, snapshot.finger, snapshot.camera);
+  auto content = std::make_shared<Content>(std::move(learnt), std::move(*faces), table,
+                                           snapshot.finger, snapshot.camera);
   content->error = std::move(error);
   return content;
 }
 
-void ReferenceLibrary::Content::save_cache(const CacheKey& key,
-                                           std::vector<FoundFace> found,
+void ReferenceLibrary::Content::save_cache(const CacheKey& key, std::vector<FoundFace> found,
                                            const std::vector<std::size_t>& retained) {
   if (found.empty()) return;
   FaceCache cache{std::move(found), retained, std::move(faces), error};
@@ -335,13 +315,8 @@ void ReferenceLibrary::Content::save_cache(const CacheKey& key,
 }
 
 Result<std::shared_ptr<const ReferenceLibrary::Content>> ReferenceLibrary::Content::from_frames(
-    const RecordingInput& frames,
-    MarkerModel learnt,
-    const Finger& finger,
-    const Camera& camera,
-    const Job& job,
-    std::size_t memory_limit_bytes,
-    const std::optional<CacheKey>& key) {
+    const RecordingInput& frames, MarkerModel learnt, const Finger& finger, const Camera& camera,
+    const Job& job, std::size_t memory_limit_bytes, const std::optional<CacheKey>& key) {
   auto faces = read_recorded_faces(frames, finger, camera, memory_limit_bytes, job);
   if (!faces) return faces.error();
   auto found = std::move(faces->found);
@@ -354,11 +329,8 @@ Result<std::shared_ptr<const ReferenceLibrary::Content>> ReferenceLibrary::Conte
 }
 
 Result<std::shared_ptr<const ReferenceLibrary::Content>> ReferenceLibrary::Content::read(
-    const std::filesystem::path& video_file,
-    const MarkerTable& table,
-    const FingerSnapshot& snapshot,
-    const std::optional<CacheKey>& key,
-    const Job& job,
+    const std::filesystem::path& video_file, const MarkerTable& table,
+    const FingerSnapshot& snapshot, const std::optional<CacheKey>& key, const Job& job,
     std::size_t memory_limit_bytes) {
   auto model = learn_model(table, snapshot.finger, video_file);
   if (!model) return model.error();
@@ -373,32 +345,25 @@ Result<std::shared_ptr<const ReferenceLibrary::Content>> ReferenceLibrary::Conte
     if (!read) return read.error();
     return image_for(snapshot, (*read)->grey, en::say("the recording's image"), "", "");
   };
-  return from_frames({frame, video->frame_count(), video_file, table},
-                     std::move(*model),
-                     snapshot.finger,
-                     snapshot.camera,
-                     job,
-                     memory_limit_bytes,
-                     key);
+  return from_frames({frame, video->frame_count(), video_file, table}, std::move(*model),
+                     snapshot.finger, snapshot.camera, job, memory_limit_bytes, key);
 }
 
 Result<ReferenceLibrary> ReferenceLibrary::from_frames(const RecordingInput& frames,
-                                                       const Finger& finger,
-                                                       const Camera& camera,
+                                                       const Finger& finger, const Camera& camera,
                                                        const Job& job,
                                                        std::size_t memory_limit_bytes) {
   auto model = learn_model(frames.table, finger, frames.video);
   if (!model) return model.error();
-  auto content = Content::from_frames(
-      frames, std::move(*model), finger, camera, job, memory_limit_bytes, std::nullopt);
+  auto content = Content::from_frames(frames, std::move(*model), finger, camera, job,
+                                      memory_limit_bytes, std::nullopt);
   if (!content) return content.error();
   return ReferenceLibrary(std::move(*content));
 }
 
 Result<ReferenceLibrary> ReferenceLibrary::single(const cv::Mat& grey) {
   if (grey.empty() || grey.type() != CV_8UC1)
-    return Error{en::say("the reference image is not an 8-bit grey image"),
-                 en::say("reference"),
+    return Error{en::say("the reference image is not an 8-bit grey image"), en::say("reference"),
                  en::say("save it in this format")};
   auto content = std::make_shared<Content>();
   content->size = grey.size();
@@ -413,9 +378,7 @@ std::size_t ReferenceLibrary::frame_count() const {
   return content_->search ? content_->frames.size() : 1;
 }
 
-std::size_t ReferenceLibrary::memory_bytes() const {
-  return content_->bytes;
-}
+std::size_t ReferenceLibrary::memory_bytes() const { return content_->bytes; }
 
 const MarkerModel* ReferenceLibrary::marker_model() const {
   return content_->model ? &*content_->model : nullptr;
@@ -429,9 +392,7 @@ const ShapePoses* ReferenceLibrary::shape_poses() const {
   return content_->shape_poses ? &*content_->shape_poses : nullptr;
 }
 
-const std::vector<int>& ReferenceLibrary::frame_numbers() const {
-  return content_->frames;
-}
+const std::vector<int>& ReferenceLibrary::frame_numbers() const { return content_->frames; }
 
 NearestFrame ReferenceLibrary::nearest(const Markers& markers,
                                        const std::vector<char>& without) const {
@@ -450,10 +411,8 @@ double ReferenceLibrary::combined_distance_px(const Markers& markers,
   return content.search->distance_px(markers, near.rows, near.weights);
 }
 
-Reference ReferenceLibrary::reference_for(const Markers& markers,
-                                          const FaceShape& shape,
-                                          ReferenceMethod method,
-                                          const std::vector<char>& without,
+Reference ReferenceLibrary::reference_for(const Markers& markers, const FaceShape& shape,
+                                          ReferenceMethod method, const std::vector<char>& without,
                                           int neighbours) const {
   Reference reference;
   const Content& content = *content_;
@@ -510,10 +469,7 @@ Result<cv::Mat> flat_reference(const FingerSnapshot& snapshot) {
   const auto file = snapshot.folder / finger.reference->image;
   const auto raw = read_grey_image(file);
   if (!raw) return raw.error();
-  return image_for(snapshot,
-                   *raw,
-                   en::say("the untouched image"),
-                   file.string(),
+  return image_for(snapshot, *raw, en::say("the untouched image"), file.string(),
                    en::say("specify the untouched image again"));
 }
 

@@ -36,15 +36,12 @@ class ReferenceLibrary {
   /// Libraries of the same files, camera and face share their data while any of them exists. Data
   /// that another process read is loaded from the user's cache, with the same bytes.
   /// Errors: files missing or unreadable; table and video disagree.
-  static Result<ReferenceLibrary> load(const FingerSnapshot& finger,
-                                       const Job& job,
+  static Result<ReferenceLibrary> load(const FingerSnapshot& finger, const Job& job,
                                        std::size_t memory_limit_bytes = std::size_t{512} << 20);
 
   /// The same from given frames, at the pixels of `camera` as is their table.
-  static Result<ReferenceLibrary> from_frames(const RecordingInput& frames,
-                                              const Finger& finger,
-                                              const Camera& camera,
-                                              const Job& job,
+  static Result<ReferenceLibrary> from_frames(const RecordingInput& frames, const Finger& finger,
+                                              const Camera& camera, const Job& job,
                                               std::size_t memory_limit_bytes = std::size_t{512}
                                                                                << 20);
 
@@ -83,8 +80,7 @@ class ReferenceLibrary {
   /// motion. known_pose: distance_px is at most three times the median distance of the recording's
   /// frames to their nearest other, and 1.5 px is always allowed. kSingle: frame and distance_px
   /// are those of the rest frame, and nothing is warped.
-  [[nodiscard]] Reference reference_for(const Markers& markers,
-                                        const FaceShape& shape,
+  [[nodiscard]] Reference reference_for(const Markers& markers, const FaceShape& shape,
                                         ReferenceMethod method,
                                         const std::vector<char>& without = {},
                                         int neighbours = kPoseNeighbours) const;

@@ -13,8 +13,7 @@ class Absorption final : public GeometryEffect {
 
   Status validate(const SceneFacts& scene) const override {
     if (!scene.has_effect("leds"))
-      return Error{en::say("there is no lamp whose light could be absorbed"),
-                   "",
+      return Error{en::say("there is no lamp whose light could be absorbed"), "",
                    en::say("name the effect leds too")};
     return {};
   }
@@ -30,10 +29,8 @@ class Absorption final : public GeometryEffect {
 }  // namespace
 
 EffectKind effect_absorption() {
-  return effect_kind<Absorption>("absorption",
-                                 70,
-                                 en::say("The silicone absorbs part of the light"),
-                                 "per_mm: 0.003",
+  return effect_kind<Absorption>("absorption", 70,
+                                 en::say("The silicone absorbs part of the light"), "per_mm: 0.003",
                                  {"leds"});
 }
 

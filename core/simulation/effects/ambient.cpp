@@ -12,8 +12,7 @@ class Ambient final : public GeometryEffect {
 
   Status validate(const SceneFacts& scene) const override {
     if (!scene.has_effect("leds"))
-      return Error{en::say("room light adds to the light of the lamps"),
-                   "",
+      return Error{en::say("room light adds to the light of the lamps"), "",
                    en::say("name the effect leds too")};
     return {};
   }
@@ -29,8 +28,8 @@ class Ambient final : public GeometryEffect {
 }  // namespace
 
 EffectKind effect_ambient() {
-  return effect_kind<Ambient>(
-      "ambient", 71, en::say("Room light falls on the faces"), "level: 5", {"leds"});
+  return effect_kind<Ambient>("ambient", 71, en::say("Room light falls on the faces"), "level: 5",
+                              {"leds"});
 }
 
 }  // namespace alltact

@@ -19,8 +19,7 @@ class AutomaticExposure final : public SensorEffect {
   }
 
   bool needs_full_image() const override { return true; }
-  void process_image(const FrameContext&,
-                     const FrameGeometry&,
+  void process_image(const FrameContext&, const FrameGeometry&,
                      cv::Mat_<float>& grey) const override {
     const double mean = std::max(1e-6, cv::mean(grey)[0]);
     const double gain = std::clamp(std::pow(target_ / mean, share_), min_gain_, max_gain_);
@@ -38,9 +37,7 @@ class AutomaticExposure final : public SensorEffect {
 
 EffectKind effect_automatic_exposure() {
   return effect_kind<AutomaticExposure>(
-      "automatic-exposure",
-      40,
-      en::say("The camera adapts its exposure to the image brightness"),
+      "automatic-exposure", 40, en::say("The camera adapts its exposure to the image brightness"),
       "target: 60");
 }
 

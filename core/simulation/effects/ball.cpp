@@ -21,8 +21,7 @@ class Ball final : public GeometryEffect {
   Status validate(const SceneFacts& scene) const override {
     if (const Status status = check_press(scene, depth_, s_, y_); !status) return status;
     if (depth_.max_value() >= radius_.min_value())
-      return Error{en::say("the ball would sink in past its centre"),
-                   "",
+      return Error{en::say("the ball would sink in past its centre"), "",
                    en::say("depth_mm below radius_mm")};
     return tip_deflection_.validate(scene);
   }
@@ -49,9 +48,7 @@ class Ball final : public GeometryEffect {
 }  // namespace
 
 EffectKind effect_ball() {
-  return effect_kind<Ball>("ball",
-                           30,
-                           en::say("A ball is pressed into the face"),
+  return effect_kind<Ball>("ball", 30, en::say("A ball is pressed into the face"),
                            "radius_mm: 4, s_mm: 50, y_mm: 0, depth_mm: 0.9");
 }
 

@@ -31,9 +31,7 @@ class Bend final : public GeometryEffect {
 }  // namespace
 
 EffectKind effect_bend() {
-  return effect_kind<Bend>("bend",
-                           10,
-                           en::say("The finger bends in the plane of its length"),
+  return effect_kind<Bend>("bend", 10, en::say("The finger bends in the plane of its length"),
                            "q1_mm: {from: -5, to: 5}, q2_mm: {from: -4, to: 4}");
 }
 

@@ -20,8 +20,8 @@ class BlackLevel final : public SensorEffect {
 }  // namespace
 
 EffectKind effect_black_level() {
-  return effect_kind<BlackLevel>(
-      "black-level", 70, en::say("The sensor adds a constant to every pixel"), "level: 4");
+  return effect_kind<BlackLevel>("black-level", 70,
+                                 en::say("The sensor adds a constant to every pixel"), "level: 4");
 }
 
 }  // namespace alltact

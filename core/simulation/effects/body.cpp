@@ -43,8 +43,8 @@ class ElasticBody final : public GeometryEffect {
 
   Status validate(const SceneFacts& scene) const override {
     if (scene.finger.face.kind == FaceKind::kFlat)
-      return Error{
-          en::say("a flat sensor has no body that deforms"), "", en::say("leave body out")};
+      return Error{en::say("a flat sensor has no body that deforms"), "",
+                   en::say("leave body out")};
     if (!scene.has_effect("push"))
       return Error{en::say("nothing pushes, so no body deforms"), "", en::say("name push too")};
     const auto body = elastic_.body(scene.finger.face, scene.length_mm);
@@ -62,8 +62,8 @@ class ElasticBody final : public GeometryEffect {
                             forces_at(curve, frame.frame, frame.frame_offset, frame.finger.face));
     std::vector<FaceLoad> loads = curve.loads;
     for (std::size_t i = 0; i < loads.size(); ++i)
-      loads[i].response = {
-          forces[i].times(rest.share), finger.surface(forces[i], rest.q), elastic_.modulus_MPa};
+      loads[i].response = {forces[i].times(rest.share), finger.surface(forces[i], rest.q),
+                           elastic_.modulus_MPa};
     curve.bend(rest.q[0], rest.q[1]);
     curve.sway(rest.q[2]);
     if (rest.q[3] != 0) curve.twist(rest.q[3]);
@@ -82,9 +82,7 @@ class ElasticBody final : public GeometryEffect {
 
   // On the contact face s is where a ball of that s_mm would press: the outer side above the view
   // face's point, along z. The section whose normal passes through that point lies further along.
-  static Forces forces_at(const FaceCurve& curve,
-                          int frame,
-                          double frame_offset,
+  static Forces forces_at(const FaceCurve& curve, int frame, double frame_offset,
                           const Face& face) {
     Forces forces;
     for (const FaceLoad& load : curve.loads) {
@@ -99,9 +97,7 @@ class ElasticBody final : public GeometryEffect {
 
   // Steps through the frames from the first one with this body, as playing the scene does, as far
   // back as the chain's memory.
-  Answer after_history(const FrameContext& frame,
-                       const FaceCurve& curve,
-                       const FinRayBody& body,
+  Answer after_history(const FrameContext& frame, const FaceCurve& curve, const FinRayBody& body,
                        const PushedFinger& finger) const {
     const int begin = frame.frame - frame.frame % frames_ + presence_.first;
     const double end = std::max<double>(begin, frame.frame + frame.frame_offset);
@@ -131,11 +127,8 @@ class ElasticBody final : public GeometryEffect {
 
 EffectKind effect_body() {
   return effect_kind<ElasticBody>(
-      "body",
-      54,
-      en::say("The finger's body deforms under load"),
-      "shore_a: 40, wall_mm: 4, base_depth_mm: 30, tip_depth_mm: 10, coupling: 0.5",
-      {"push"});
+      "body", 54, en::say("The finger's body deforms under load"),
+      "shore_a: 40, wall_mm: 4, base_depth_mm: 30, tip_depth_mm: 10, coupling: 0.5", {"push"});
 }
 
 }  // namespace alltact

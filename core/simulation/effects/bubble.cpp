@@ -18,8 +18,7 @@ class Bubble final : public RadianceEffect {
     if (!scene.has_effect("layer"))
       return Error{en::say("the bubble needs a layer"), "", en::say("name the effect layer too")};
     if (2 * radius_.max_value() > scene.finger.face.layer_mm)
-      return Error{en::say("the bubble is wider than the layer is thick"),
-                   "",
+      return Error{en::say("the bubble is wider than the layer is thick"), "",
                    en::say("radius_mm up to {:g}", scene.finger.face.layer_mm / 2)};
     return check_position(scene, s_, y_);
   }
@@ -47,11 +46,8 @@ class Bubble final : public RadianceEffect {
 }  // namespace
 
 EffectKind effect_bubble() {
-  return effect_kind<Bubble>("bubble",
-                             5,
-                             en::say("A bubble of air makes the layer thinner"),
-                             "s_mm: 45, y_mm: -2, radius_mm: 0.5",
-                             {"layer"});
+  return effect_kind<Bubble>("bubble", 5, en::say("A bubble of air makes the layer thinner"),
+                             "s_mm: 45, y_mm: -2, radius_mm: 0.5", {"layer"});
 }
 
 }  // namespace alltact

@@ -69,8 +69,8 @@ class Bulge final : public GeometryEffect {
 
   Status validate(const SceneFacts& scene) const override {
     if (!scene.ball_presses && !scene.body_presses)
-      return Error{
-          en::say("nothing is pressed in, so nothing bulges"), "", en::say("add ball or relief")};
+      return Error{en::say("nothing is pressed in, so nothing bulges"), "",
+                   en::say("add ball or relief")};
     return {};
   }
 
@@ -98,11 +98,8 @@ class Bulge final : public GeometryEffect {
 }  // namespace
 
 EffectKind effect_bulge() {
-  return effect_kind<Bulge>("bulge",
-                            50,
-                            en::say("The layer bulges around the object"),
-                            "share: 0.03, width_mm: 1.5",
-                            {"ball"});
+  return effect_kind<Bulge>("bulge", 50, en::say("The layer bulges around the object"),
+                            "share: 0.03, width_mm: 1.5", {"ball"});
 }
 
 }  // namespace alltact

@@ -22,9 +22,7 @@ std::shared_ptr<const Body> cylinder_body(YamlSection& p) {
 
 EffectKind effect_cylinder() {
   return effect_kind<RigidPressOf<cylinder_body>>(
-      "cylinder",
-      32,
-      en::say("A cylinder is pressed in sideways"),
+      "cylinder", 32, en::say("A cylinder is pressed in sideways"),
       "radius_mm: 4, length_mm: 12, s_mm: 50, y_mm: 0, depth_mm: 0.8");
 }
 

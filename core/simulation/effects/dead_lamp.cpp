@@ -14,11 +14,11 @@ class DeadLamp final : public GeometryEffect {
 
   Status validate(const SceneFacts& scene) const override {
     if (scene.lamp_count == 0)
-      return Error{
-          en::say("there is no lamp that could fail"), "", en::say("name the effect leds too")};
+      return Error{en::say("there is no lamp that could fail"), "",
+                   en::say("name the effect leds too")};
     if (lamp_ >= scene.lamp_count)
-      return Error{
-          en::say("there is no lamp {}", lamp_), "", en::say("0 to {}", scene.lamp_count - 1)};
+      return Error{en::say("there is no lamp {}", lamp_), "",
+                   en::say("0 to {}", scene.lamp_count - 1)};
     return {};
   }
 

@@ -25,8 +25,8 @@ class DeadPixels final : public SensorEffect {
   }
 
  private:
-  static void set(
-      std::uint64_t seed, std::string_view stream, double share, double level, RowView& row) {
+  static void set(std::uint64_t seed, std::string_view stream, double share, double level,
+                  RowView& row) {
     if (share == 0) return;
     const double per_log = 1 / std::log1p(-share);
     double at = -1;
@@ -44,8 +44,7 @@ class DeadPixels final : public SensorEffect {
 }  // namespace
 
 EffectKind effect_dead_pixels() {
-  return effect_kind<DeadPixels>("dead-pixels",
-                                 75,
+  return effect_kind<DeadPixels>("dead-pixels", 75,
                                  en::say("Single pixels are always dark or always bright"),
                                  "dead: 0.0001, hot: 0.0001");
 }

@@ -14,9 +14,7 @@ constexpr double kMinBlur_px = 0.02;  // a Gaussian of this sd is 1 in its middl
 constexpr int kMaxBlur_px = 200;
 
 // sum[u] += weight[u] * in[u]: one tap of all columns' kernels.
-ALLTACT_WIDE void add_weighted(int n,
-                               const float* __restrict weight,
-                               const float* __restrict in,
+ALLTACT_WIDE void add_weighted(int n, const float* __restrict weight, const float* __restrict in,
                                float* __restrict sum) {
   for (int u = 0; u < n; ++u) sum[u] += weight[u] * in[u];
 }
@@ -32,15 +30,13 @@ class Defocus final : public SensorEffect {
 
   Status validate(const SceneFacts& scene) const override {
     if (sd_px_ == 0 && scene.finger.camera.model == CameraModel::kOrthographic)
-      return Error{en::say("an orthographic camera has no focal length for blur"),
-                   "",
+      return Error{en::say("an orthographic camera has no focal length for blur"), "",
                    en::say("sd_px instead of focus_mm and aperture_mm")};
     return {};
   }
 
   bool needs_full_image() const override { return true; }
-  void process_image(const FrameContext& frame,
-                     const FrameGeometry& geometry,
+  void process_image(const FrameContext& frame, const FrameGeometry& geometry,
                      cv::Mat_<float>& grey) const override {
     const cv::Mat_<float> weights = kernels(frame, geometry);  // row i: i pixels from the middle
     const int half = weights.rows - 1, width = grey.cols;
@@ -55,8 +51,8 @@ class Defocus final : public SensorEffect {
     for (int v = 0; v < grey.rows; ++v) {
       std::fill(grey[v], grey[v] + width, 0.0F);
       for (int i = -half; i <= half; ++i)
-        add_weighted(
-            width, weights[std::abs(i)], along[std::clamp(v + i, 0, grey.rows - 1)], grey[v]);
+        add_weighted(width, weights[std::abs(i)], along[std::clamp(v + i, 0, grey.rows - 1)],
+                     grey[v]);
     }
   }
 
@@ -102,8 +98,7 @@ class Defocus final : public SensorEffect {
 }  // namespace
 
 EffectKind effect_defocus() {
-  return effect_kind<Defocus>("defocus",
-                              5,
+  return effect_kind<Defocus>("defocus", 5,
                               en::say("Objects outside the focus distance are blurred"),
                               "focus_mm: 60, aperture_mm: 0.5");
 }

@@ -13,8 +13,8 @@ class Distortion final : public GeometryEffect {
 
   Status validate(const SceneFacts& scene) const override {
     if (scene.finger.camera.model == CameraModel::kOrthographic)
-      return Error{
-          en::say("an orthographic camera has no lens"), "", en::say("leave distortion out")};
+      return Error{en::say("an orthographic camera has no lens"), "",
+                   en::say("leave distortion out")};
     return {};
   }
   bool changes_lens() const override { return true; }
@@ -30,8 +30,8 @@ class Distortion final : public GeometryEffect {
 }  // namespace
 
 EffectKind effect_distortion() {
-  return effect_kind<Distortion>(
-      "distortion", 1, en::say("The lens bends straight lines"), "coefficients: [-0.2, 0.05]");
+  return effect_kind<Distortion>("distortion", 1, en::say("The lens bends straight lines"),
+                                 "coefficients: [-0.2, 0.05]");
 }
 
 }  // namespace alltact

@@ -32,9 +32,7 @@ std::shared_ptr<const Body> edge_body(YamlSection& p) {
 
 EffectKind effect_edge() {
   return effect_kind<RigidPressOf<edge_body>>(
-      "edge",
-      33,
-      en::say("An edge is pressed into the face"),
+      "edge", 33, en::say("An edge is pressed into the face"),
       "angle_deg: 90, radius_mm: 0.2, length_mm: 14, rotation_deg: 30, s_mm: 50, y_mm: 0, "
       "depth_mm: 0.7");
 }

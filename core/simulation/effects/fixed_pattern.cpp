@@ -9,15 +9,11 @@ namespace alltact {
 
 namespace {
 
-ALLTACT_WIDE void apply_prnu(int n,
-                             float prnu,
-                             const float* __restrict normal,
+ALLTACT_WIDE void apply_prnu(int n, float prnu, const float* __restrict normal,
                              float* __restrict value) {
   for (int u = 0; u < n; ++u) value[u] += value[u] * prnu * normal[u];
 }
-ALLTACT_WIDE void add_dsnu(int n,
-                           float dsnu,
-                           const float* __restrict normal,
+ALLTACT_WIDE void add_dsnu(int n, float dsnu, const float* __restrict normal,
                            float* __restrict value) {
   for (int u = 0; u < n; ++u) value[u] += dsnu * normal[u];
 }
@@ -54,8 +50,7 @@ class FixedPattern final : public SensorEffect {
 
 EffectKind effect_fixed_pattern() {
   return effect_kind<FixedPattern>(
-      "fixed-pattern",
-      45,
+      "fixed-pattern", 45,
       en::say("Every pixel is always a little brighter or darker than its neighbours"),
       "prnu: 0.01, dsnu: 0.3");
 }

@@ -23,8 +23,8 @@ class Flicker final : public GeometryEffect {
 
   Status validate(const SceneFacts& scene) const override {
     if (scene.lamp_count == 0)
-      return Error{
-          en::say("there is no lamp that could flicker"), "", en::say("name the effect leds too")};
+      return Error{en::say("there is no lamp that could flicker"), "",
+                   en::say("name the effect leds too")};
     return {};
   }
 
@@ -54,11 +54,8 @@ class Flicker final : public GeometryEffect {
 }  // namespace
 
 EffectKind effect_flicker() {
-  return effect_kind<Flicker>("flicker",
-                              72,
-                              en::say("The lamps flicker"),
-                              "kind: mains, hz: 100, exposure_ms: 8, depth: 0.3",
-                              {"leds"});
+  return effect_kind<Flicker>("flicker", 72, en::say("The lamps flicker"),
+                              "kind: mains, hz: 100, exposure_ms: 8, depth: 0.3", {"leds"});
 }
 
 }  // namespace alltact

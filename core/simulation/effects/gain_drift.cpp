@@ -45,8 +45,7 @@ class GainDrift final : public SensorEffect {
 }  // namespace
 
 EffectKind effect_gain_drift() {
-  return effect_kind<GainDrift>("gain-drift",
-                                65,
+  return effect_kind<GainDrift>("gain-drift", 65,
                                 en::say("The camera's gain drifts from frame to frame"),
                                 "sd: 0.02, every_s: 10");
 }

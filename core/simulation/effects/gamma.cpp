@@ -29,8 +29,8 @@ class Gamma final : public SensorEffect {
 }  // namespace
 
 EffectKind effect_gamma() {
-  return effect_kind<Gamma>(
-      "gamma", 80, en::say("The camera's grey levels follow a power law"), "gamma: 2.2");
+  return effect_kind<Gamma>("gamma", 80, en::say("The camera's grey levels follow a power law"),
+                            "gamma: 2.2");
 }
 
 }  // namespace alltact

@@ -55,9 +55,7 @@ class Glare final : public RadianceEffect {
 }  // namespace
 
 EffectKind effect_glare() {
-  return effect_kind<Glare>("glare",
-                            60,
-                            en::say("The face reflects a lamp"),
+  return effect_kind<Glare>("glare", 60, en::say("The face reflects a lamp"),
                             "at_mm: [60, 0, 20], level: 80, sharpness: 64");
 }
 

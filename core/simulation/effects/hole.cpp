@@ -20,8 +20,7 @@ class Hole final : public RadianceEffect {
 
   Rows begin(const FrameContext& frame, const FrameGeometry& geometry) const override {
     const Eigen::Vector2d at(frame(s_), frame(y_));
-    return [&camera = geometry.rays().camera(),
-            mark = FaceMark{at, at, frame(radius_)},
+    return [&camera = geometry.rays().camera(), mark = FaceMark{at, at, frame(radius_)},
             level = frame(level_)](RowView& row) { mark_row(camera, mark, 1, level, row); };
   }
 
@@ -32,9 +31,7 @@ class Hole final : public RadianceEffect {
 }  // namespace
 
 EffectKind effect_hole() {
-  return effect_kind<Hole>("hole",
-                           55,
-                           en::say("Light comes through a hole in the coat"),
+  return effect_kind<Hole>("hole", 55, en::say("Light comes through a hole in the coat"),
                            "s_mm: 60, y_mm: -3, radius_mm: 0.4, level: 90");
 }
 

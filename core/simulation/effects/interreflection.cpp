@@ -75,9 +75,7 @@ LitPatch patch_of(const LitFaces& faces, int face, int i, int k) {
   const double a0 = double{1} * i / kPatchesAlong, a1 = double{1} * (i + 1) / kPatchesAlong;
   const double c0 = k / n, c1 = (k + 1) / n;
   LitPatch patch{face,
-                 {faces.point(face, a0, c0),
-                  faces.point(face, a0, c1),
-                  faces.point(face, a1, c1),
+                 {faces.point(face, a0, c0), faces.point(face, a0, c1), faces.point(face, a1, c1),
                   faces.point(face, a1, c0)},
                  faces.point(face, (a0 + a1) / 2, (c0 + c1) / 2),
                  faces.normal(face, (a0 + a1) / 2),
@@ -159,9 +157,7 @@ class OnceReflected {
     return lattices;
   }
 
-  void on_view_face(const LitLattice& lattice,
-                    const FaceRow& face,
-                    const Surface& s,
+  void on_view_face(const LitLattice& lattice, const FaceRow& face, const Surface& s,
                     float* irradiance) const {
     const float along = 1 / length_mm_, across = 1 / width_mm_;
     for (int u = s.first; u < s.last; ++u)
@@ -171,9 +167,7 @@ class OnceReflected {
 
   // The position on the side follows from the view face's point in the same column, to first
   // order in the twist.
-  void on_sides(const LitLattices& lattices,
-                const FaceRow& face,
-                const Surface& s,
+  void on_sides(const LitLattices& lattices, const FaceRow& face, const Surface& s,
                 float* irradiance) const {
     const float along = 1 / length_mm_, across = 1 / depth_mm_;
     for (int u = s.first; u < s.last; ++u) {
@@ -242,8 +236,7 @@ class Interreflection final : public GeometryEffect {
 
   Status validate(const SceneFacts& scene) const override {
     if (scene.has_effect("sides") && scene.has_effect("leds")) return {};
-    return Error{en::say("only the lit view face and side faces light each other"),
-                 "",
+    return Error{en::say("only the lit view face and side faces light each other"), "",
                  en::say("name the effects sides and leds too")};
   }
 
@@ -268,11 +261,9 @@ class Interreflection final : public GeometryEffect {
 }  // namespace
 
 EffectKind effect_interreflection() {
-  return effect_kind<Interreflection>("interreflection",
-                                      76,
+  return effect_kind<Interreflection>("interreflection", 76,
                                       en::say("The finger's faces light each other"),
-                                      "face: 0.47, sides: 0.12, depth_mm: 14",
-                                      {"sides", "leds"});
+                                      "face: 0.47, sides: 0.12, depth_mm: 14", {"sides", "leds"});
 }
 
 }  // namespace alltact

@@ -15,10 +15,7 @@ namespace {
 constexpr int kTable = 4096;
 constexpr double kMaxThickness = 1.5;  // times the undeformed layer: no bulge exceeds it
 
-ALLTACT_WIDE void reflect(int first,
-                          int last,
-                          float scatter,
-                          const float* __restrict thickness,
+ALLTACT_WIDE void reflect(int first, int last, float scatter, const float* __restrict thickness,
                           float* __restrict light) {
   for (int u = first; u < last; ++u) {
     const float t = scatter * thickness[u];
@@ -27,24 +24,16 @@ ALLTACT_WIDE void reflect(int first,
 }
 
 // Along the normal: `cos` of the face's inclination.
-ALLTACT_WIDE void reflect_by_normal(int first,
-                                    int last,
-                                    float scatter,
-                                    const float* __restrict luf,
-                                    const float* __restrict cos,
-                                    float* __restrict light) {
+ALLTACT_WIDE void reflect_by_normal(int first, int last, float scatter, const float* __restrict luf,
+                                    const float* __restrict cos, float* __restrict light) {
   for (int u = first; u < last; ++u) {
     const float t = scatter * (luf[u] * cos[u]);
     light[u] *= t / (1.0F + t);
   }
 }
 
-ALLTACT_WIDE void reflect_over_coat(int first,
-                                    int last,
-                                    float scatter,
-                                    float coat,
-                                    const float* __restrict thickness,
-                                    float* __restrict light) {
+ALLTACT_WIDE void reflect_over_coat(int first, int last, float scatter, float coat,
+                                    const float* __restrict thickness, float* __restrict light) {
   for (int u = first; u < last; ++u) {
     const float t = (1.0F - coat) * scatter * thickness[u];
     light[u] *= (t + coat) / (t + 1.0F);
@@ -117,8 +106,7 @@ class Layer final : public RadianceEffect {
 }  // namespace
 
 EffectKind effect_layer() {
-  return effect_kind<Layer>("layer",
-                            10,
+  return effect_kind<Layer>("layer", 10,
                             en::say("The layer over the black coat is darker where it is thinner"),
                             "scatter_per_mm: 0.6, along: normal");
 }

@@ -30,8 +30,7 @@ struct RowChunk {
 // argument, so that the loop computes only that lobe.
 constexpr int kNoLobe = -1;
 template <int kSquarings>
-[[gnu::always_inline]] inline void shine(const RowChunk& p,
-                                         const Lamp& lamp,
+[[gnu::always_inline]] inline void shine(const RowChunk& p, const Lamp& lamp,
                                          float* __restrict sum) {
   const float* __restrict x = p.x, * __restrict y = p.y, * __restrict z = p.z;
   const float* __restrict nx = p.nx, * __restrict ny = p.ny, * __restrict nz = p.nz;
@@ -52,8 +51,7 @@ template <int kSquarings>
   }
 }
 
-[[gnu::always_inline]] inline void shine_as_aimed(const RowChunk& p,
-                                                  const Lamp& lamp,
+[[gnu::always_inline]] inline void shine_as_aimed(const RowChunk& p, const Lamp& lamp,
                                                   float* __restrict sum) {
   if (!lamp.aimed) return shine<kNoLobe>(p, lamp, sum);
   switch (lamp.squarings) {
@@ -71,11 +69,8 @@ template <int kSquarings>
 // Attenuates the light of one lamp along its path through the clear body to the surface and on to
 // the camera. `spread` is 0 for an orthographic camera, whose rays run along z, else 1. `back_part`
 // is 0 for the path to the surface alone, else 1.
-[[gnu::always_inline]] inline void absorb_on_path(const RowChunk& p,
-                                                  const Lamp& lamp,
-                                                  float per_mm,
-                                                  float spread,
-                                                  float back_part,
+[[gnu::always_inline]] inline void absorb_on_path(const RowChunk& p, const Lamp& lamp, float per_mm,
+                                                  float spread, float back_part,
                                                   const float* __restrict light,
                                                   float* __restrict sum) {
   const float* __restrict x = p.x, * __restrict y = p.y, * __restrict z = p.z;
@@ -89,9 +84,7 @@ template <int kSquarings>
 }
 
 // Attenuates light at the surface along its path to the camera.
-[[gnu::always_inline]] inline void absorb_on_return(const RowChunk& p,
-                                                    float per_mm,
-                                                    float spread,
+[[gnu::always_inline]] inline void absorb_on_return(const RowChunk& p, float per_mm, float spread,
                                                     const float* __restrict light,
                                                     float* __restrict sum) {
   const float* __restrict x = p.x, * __restrict y = p.y, * __restrict z = p.z;
@@ -119,8 +112,8 @@ RowChunk chunk_of(const Surface& s, int first) {
 }
 
 // Room and lamps. `one`: buffer for the light of one lamp.
-[[gnu::always_inline]] inline void shine_all(
-    const RowChunk& p, const Lamps& all, float back_part, float* one, float* sum) {
+[[gnu::always_inline]] inline void shine_all(const RowChunk& p, const Lamps& all, float back_part,
+                                             float* one, float* sum) {
   for (int i = 0; i < p.n; ++i) sum[i] = all.room_level;
   for (const Lamp& lamp : all.lamps) {
     if (all.absorb_per_mm == 0) {
@@ -171,8 +164,7 @@ class Leds final : public RadianceEffect {
     std::vector<Lamp> lamps = lamps_;
     for (std::size_t i = 0; i < lamps.size(); ++i)
       lamps[i].power *= static_cast<float>(now.share_of(static_cast<int>(i)));
-    Lamps all{std::move(lamps),
-              static_cast<float>(now.room_level),
+    Lamps all{std::move(lamps), static_cast<float>(now.room_level),
               static_cast<float>(now.absorb_per_mm),
               geometry.rays().camera().is_perspective() ? 1.0F : 0.0F};
     if (!now.indirect)
@@ -225,9 +217,7 @@ class Leds final : public RadianceEffect {
 
 EffectKind effect_leds() {
   return effect_kind<Leds>(
-      "leds",
-      50,
-      en::say("Lamps light the finger"),
+      "leds", 50, en::say("Lamps light the finger"),
       "lamps: [{at_mm: [0, 3, 0], power: 540000}, {at_mm: [4, 0, -20], power: 3300000, "
       "aim_mm: [71, 0, 93], lobe: 8}]");
 }

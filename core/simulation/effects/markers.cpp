@@ -106,23 +106,20 @@ class Markers final : public GeometryEffect {
     if (!(first_ < last_))
       p.refuse("first", en::say("'first' is not below 'last'"), en::say("e.g. 0.1 and 0.9"));
     if (radius_mm_ >= setback_mm_)
-      p.refuse("radius_mm",
-               en::say("the dots would cut the face's edge"),
+      p.refuse("radius_mm", en::say("the dots would cut the face's edge"),
                en::say("less than setback_mm"));
     if (last_radius_mm_ >= setback_mm_)
-      p.refuse("last_radius_mm",
-               en::say("the dots would cut the face's edge"),
+      p.refuse("last_radius_mm", en::say("the dots would cut the face's edge"),
                en::say("less than setback_mm"));
   }
 
   Status validate(const SceneFacts& scene) const override {
     if (scene.finger.markers.per_row < 2)
-      return Error{en::say("the finger has no markers"),
-                   "",
+      return Error{en::say("the finger has no markers"), "",
                    en::say("finger.markers with per_row and polarity")};
     if (!scene.has_effect("sides"))
-      return Error{
-          en::say("markers are engraved in the side faces"), "", en::say("add the effect sides")};
+      return Error{en::say("markers are engraved in the side faces"), "",
+                   en::say("add the effect sides")};
     return {};
   }
 
@@ -175,9 +172,7 @@ class Markers final : public GeometryEffect {
 }  // namespace
 
 EffectKind effect_markers() {
-  return effect_kind<Markers>("markers",
-                              60,
-                              en::say("Dots are engraved in the side faces"),
+  return effect_kind<Markers>("markers", 60, en::say("Dots are engraved in the side faces"),
                               "radius_mm: 1.5, setback_mm: 4, first: 0.1, last: 0.92, albedo: 0.9",
                               {"sides"});
 }

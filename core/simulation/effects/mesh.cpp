@@ -159,8 +159,7 @@ std::shared_ptr<const Body> mesh_body(YamlSection& p) {
   auto body = std::make_shared<MeshBody>(std::move(*mesh), scale);
   const double size = 2 * body->half_size_mm().maxCoeff();
   if (size > kMaxSize_mm || size < kMinSize_mm)
-    p.refuse(p.has("scale") ? "scale" : "file",
-             en::say("the body would be {:g} mm in size", size),
+    p.refuse(p.has("scale") ? "scale" : "file", en::say("the body would be {:g} mm in size", size),
              en::say("'scale' specifies the mm per unit of the file"));
   return body;
 }
@@ -168,8 +167,7 @@ std::shared_ptr<const Body> mesh_body(YamlSection& p) {
 }  // namespace
 
 EffectKind effect_mesh() {
-  return effect_kind<RigidPressOf<mesh_body>>("mesh",
-                                              35,
+  return effect_kind<RigidPressOf<mesh_body>>("mesh", 35,
                                               en::say("A body is pressed into the face"),
                                               "file: nut_m6.stl, s_mm: 50, y_mm: 0, depth_mm: 0.8");
 }

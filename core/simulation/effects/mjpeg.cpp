@@ -13,8 +13,8 @@ class Mjpeg final : public TransportEffect {
 
   Status validate(const SceneFacts& scene) const override {
     if (!scene.has_effect("quantisation"))
-      return Error{
-          en::say("JPEG needs integer grey levels"), "", en::say("add the effect quantisation")};
+      return Error{en::say("JPEG needs integer grey levels"), "",
+                   en::say("add the effect quantisation")};
     return {};
   }
   void process_image(const FrameContext&, SentFrame& sent) const override {
@@ -31,8 +31,8 @@ class Mjpeg final : public TransportEffect {
 }  // namespace
 
 EffectKind effect_mjpeg() {
-  return effect_kind<Mjpeg>(
-      "mjpeg", 50, en::say("The camera sends JPEG images"), "quality: 85", {"quantisation"});
+  return effect_kind<Mjpeg>("mjpeg", 50, en::say("The camera sends JPEG images"), "quality: 85",
+                            {"quantisation"});
 }
 
 }  // namespace alltact

@@ -15,8 +15,7 @@ class MotionBlur final : public SensorEffect {
 
   Status validate(const SceneFacts& scene) const override {
     if (exposure_s_ * scene.frames_per_s > 1)
-      return Error{en::say("the shutter would be open for longer than a frame lasts"),
-                   "",
+      return Error{en::say("the shutter would be open for longer than a frame lasts"), "",
                    en::say("exposure_ms up to {:g}", 1000 / scene.frames_per_s)};
     return {};
   }
@@ -33,8 +32,8 @@ class MotionBlur final : public SensorEffect {
 }  // namespace
 
 EffectKind effect_motion_blur() {
-  return effect_kind<MotionBlur>(
-      "motion-blur", 1, en::say("The finger moves during the exposure"), "exposure_ms: 10");
+  return effect_kind<MotionBlur>("motion-blur", 1, en::say("The finger moves during the exposure"),
+                                 "exposure_ms: 10");
 }
 
 }  // namespace alltact

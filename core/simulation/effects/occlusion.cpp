@@ -15,8 +15,7 @@ class Occlusion final : public GeometryEffect {
     if (by_count_) {
       count_ = Varying::read(p, "count", {0, 128});
       if (count_.max_value() < 0.5)
-        p.refuse("count",
-                 en::say("no dot would ever be hidden"),
+        p.refuse("count", en::say("no dot would ever be hidden"),
                  en::say("leave occlusion out, or use 1 or more"));
       return;
     }
@@ -49,10 +48,9 @@ class Occlusion final : public GeometryEffect {
     std::iota(numbers.begin(), numbers.end(), 0U);
     const auto count = std::min(n, static_cast<std::size_t>(std::lround(frame(count_))));
     for (std::size_t i = 0; i < count; ++i) {
-      const double unit = philox_uniform(frame.seed,
-                                         "occlusion.which",
-                                         static_cast<std::uint32_t>(frame.frame),
-                                         static_cast<std::uint32_t>(i));
+      const double unit =
+          philox_uniform(frame.seed, "occlusion.which", static_cast<std::uint32_t>(frame.frame),
+                         static_cast<std::uint32_t>(i));
       std::swap(numbers[i],
                 numbers[i + static_cast<std::size_t>(unit * static_cast<double>(n - i))]);
     }
@@ -68,11 +66,8 @@ class Occlusion final : public GeometryEffect {
 }  // namespace
 
 EffectKind effect_occlusion() {
-  return effect_kind<Occlusion>("occlusion",
-                                61,
-                                en::say("Folds of the side faces hide dots"),
-                                "count: 3",
-                                {"sides", "markers"});
+  return effect_kind<Occlusion>("occlusion", 61, en::say("Folds of the side faces hide dots"),
+                                "count: 3", {"sides", "markers"});
 }
 
 }  // namespace alltact

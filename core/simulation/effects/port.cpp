@@ -9,10 +9,9 @@ namespace {
 class Port final : public GeometryEffect {
  public:
   explicit Port(YamlSection& p)
-      : port_{p.number("gap_mm", {0, 1000}),
-              p.number("plate_mm", {0, 1000}),
-              p.number_or("plate_index", 1.49, {1, 3}),
-              p.number_or("medium_index", 1.41, {1, 3})} {}
+      : port_{p.number("gap_mm", {0, 1000}), p.number("plate_mm", {0, 1000}),
+              p.number_or("plate_index", 1.49, {1, 3}), p.number_or("medium_index", 1.41, {1, 3})} {
+  }
 
   Status validate(const SceneFacts& scene) const override {
     if (scene.finger.camera.model == CameraModel::kOrthographic)
@@ -29,8 +28,7 @@ class Port final : public GeometryEffect {
 }  // namespace
 
 EffectKind effect_port() {
-  return effect_kind<Port>("port",
-                           2,
+  return effect_kind<Port>("port", 2,
                            en::say("The camera looks through a flat window into the silicone"),
                            "gap_mm: 2, plate_mm: 3");
 }

@@ -17,8 +17,7 @@ std::shared_ptr<const Body> punch_body(YamlSection& p) {
 }  // namespace
 
 EffectKind effect_punch() {
-  return effect_kind<RigidPressOf<punch_body>>("punch",
-                                               34,
+  return effect_kind<RigidPressOf<punch_body>>("punch", 34,
                                                en::say("A flat punch is pressed into the face"),
                                                "radius_mm: 3, s_mm: 50, y_mm: 0, depth_mm: 0.5");
 }

@@ -25,12 +25,10 @@ constexpr double kMinUpright = 0.05;
 class PushedBall final : public GeometryEffect {
  public:
   explicit PushedBall(YamlSection& p)
-      : face_(static_cast<PushedFace>(p.choice("face",
-                                               {to_string(PushedFace::kContact),
-                                                to_string(PushedFace::kBack),
-                                                to_string(PushedFace::kUpper),
-                                                to_string(PushedFace::kLower)}) +
-                                      1)),
+      : face_(static_cast<PushedFace>(
+            p.choice("face", {to_string(PushedFace::kContact), to_string(PushedFace::kBack),
+                              to_string(PushedFace::kUpper), to_string(PushedFace::kLower)}) +
+            1)),
         frames_(SceneTime::of(p).frames),
         presence_(Presence::read(p, SceneTime::of(p))),
         radius_(Varying::read(p, "radius_mm", strength_up_to(100))),
@@ -56,8 +54,7 @@ class PushedBall final : public GeometryEffect {
     if (const Status status = check_contact(scene); !status) return status;
     if (scene.elastic == nullptr || scene.finger.face.kind == FaceKind::kFlat) return {};
     if (scene.elastic->chain.has_memory() && presence_.end < frames_)
-      return Error{en::say("a body with creep or damping still moves after a push ends"),
-                   "",
+      return Error{en::say("a body with creep or damping still moves after a push ends"), "",
                    en::say("instead of 'until', a force_N that goes to 0")};
     return check_bending(scene);
   }
@@ -97,16 +94,11 @@ class PushedBall final : public GeometryEffect {
     return drag;
   }
 
-  [[nodiscard]] PointForce force(const FrameContext& context,
-                                 int frame,
+  [[nodiscard]] PointForce force(const FrameContext& context, int frame,
                                  double frame_offset) const {
-    const FrameContext then{context.seed,
-                            frame,
-                            context.motion,
-                            context.finger,
-                            context.frames_per_s,
-                            context.motion_seed,
-                            frame_offset};
+    const FrameContext then{
+        context.seed,        frame,       context.motion, context.finger, context.frames_per_s,
+        context.motion_seed, frame_offset};
     PointForce force{face_, then(s_), then(y_), 0, 0, 0};
     if (!presence_.holds(frame % frames_)) return force;
     force.normal_N = then(force_);
@@ -131,9 +123,7 @@ class PushedBall final : public GeometryEffect {
 
   // Indents the layer as deep as the force requires, at the current position of the pushed surface
   // point.
-  void indent(double radius_mm,
-              const FaceLoad::Response& response,
-              FrameGeometry& geometry,
+  void indent(double radius_mm, const FaceLoad::Response& response, FrameGeometry& geometry,
               ContactTruth& truth) const {
     const auto layer =
         BondedLayerContact::create(layer_modulus_MPa_, geometry.face().layer_mm, radius_mm);
@@ -154,8 +144,7 @@ class PushedBall final : public GeometryEffect {
   }
 
   // The s and y of a press whose outer point has the x and y of the given point.
-  static Eigen::Vector2d position_of(const FrameGeometry& geometry,
-                                     const Eigen::Vector3d& point_mm,
+  static Eigen::Vector2d position_of(const FrameGeometry& geometry, const Eigen::Vector3d& point_mm,
                                      Eigen::Vector2d at) {
     constexpr double kStep_mm = 1e-4;
     const auto off = [&](const Eigen::Vector2d& position) -> Eigen::Vector2d {
@@ -177,11 +166,9 @@ class PushedBall final : public GeometryEffect {
   }
 
   void drag(double radius_mm, const FaceLoad::Response& response, FrameGeometry& geometry) const {
-    const auto contact = HalfSpaceContact::create(response.modulus_MPa,
-                                                  radius_mm,
-                                                  response.force.normal_N,
-                                                  {response.force.along_N, response.force.across_N},
-                                                  friction_);
+    const auto contact =
+        HalfSpaceContact::create(response.modulus_MPa, radius_mm, response.force.normal_N,
+                                 {response.force.along_N, response.force.across_N}, friction_);
     if (!contact) return;  // validate() refused that
     geometry.drags.push_back(
         {face_ == PushedFace::kUpper ? -1 : 1, response.surface, contact.value()});
@@ -203,21 +190,18 @@ class PushedBall final : public GeometryEffect {
 
   [[nodiscard]] Status check_contact(const SceneFacts& scene) const {
     if (face_ == PushedFace::kContact) {
-      const auto layer = BondedLayerContact::create(
-          layer_modulus_MPa_, scene.finger.face.layer_mm, radius_.min_value());
+      const auto layer = BondedLayerContact::create(layer_modulus_MPa_, scene.finger.face.layer_mm,
+                                                    radius_.min_value());
       if (!layer) return layer.error();
       const auto depth = layer->indentation_mm(force_.max_value());
       return depth ? Status() : depth.error();
     }
     if (scene.elastic == nullptr)
-      return Error{en::say("without its body the finger deforms on its contact face only"),
-                   "",
+      return Error{en::say("without its body the finger deforms on its contact face only"), "",
                    en::say("name the effect body too")};
-    const auto contact = HalfSpaceContact::create(scene.elastic->modulus_MPa,
-                                                  radius_.min_value(),
-                                                  force_.max_value(),
-                                                  Eigen::Vector2d::Zero(),
-                                                  friction_);
+    const auto contact =
+        HalfSpaceContact::create(scene.elastic->modulus_MPa, radius_.min_value(),
+                                 force_.max_value(), Eigen::Vector2d::Zero(), friction_);
     return contact ? Status() : contact.error();
   }
 
@@ -237,8 +221,7 @@ class PushedBall final : public GeometryEffect {
             const PointForce force{face_, s_mm, y_mm, normal_N, held.x(), held.y()};
             const double share = finger.equilibrium({&force, 1}).share;
             if (share < 1)
-              return Error{en::say("the push bends the finger beyond the model's range"),
-                           "",
+              return Error{en::say("the push bends the finger beyond the model's range"), "",
                            en::say("up to {:.2g} times these forces, or a stiffer body", share)};
           }
     return {};

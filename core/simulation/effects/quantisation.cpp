@@ -6,9 +6,7 @@ namespace alltact {
 
 namespace {
 
-ALLTACT_WIDE void quantise(int first,
-                           int last,
-                           const float* __restrict value,
+ALLTACT_WIDE void quantise(int first, int last, const float* __restrict value,
                            std::uint8_t* __restrict bytes) {
   for (int u = first; u < last; ++u) {
     const float level = std::min(std::max(value[u], 0.0F), 255.0F);

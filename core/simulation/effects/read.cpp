@@ -6,9 +6,7 @@ namespace alltact {
 
 namespace {
 
-ALLTACT_WIDE void add_read(int n,
-                           float sd,
-                           const float* __restrict normal,
+ALLTACT_WIDE void add_read(int n, float sd, const float* __restrict normal,
                            float* __restrict value) {
   for (int u = 0; u < n; ++u) value[u] += sd * normal[u];
 }

@@ -57,8 +57,7 @@ std::shared_ptr<const Body> height_map(const cv::Mat_<float>& gaps_mm, double mm
     return upper + ty * (lower - upper);
   };
   return std::make_shared<HeightField>(
-      gap_mm,
-      mm_per_px / 2 * Eigen::Vector2d(gaps_mm.cols - 1, gaps_mm.rows - 1),
+      gap_mm, mm_per_px / 2 * Eigen::Vector2d(gaps_mm.cols - 1, gaps_mm.rows - 1),
       std::min(0.02, mm_per_px / 2));
 }
 
@@ -93,9 +92,7 @@ std::shared_ptr<const Body> relief_body(YamlSection& p) {
 
 EffectKind effect_relief() {
   return effect_kind<RigidPressOf<relief_body>>(
-      "relief",
-      31,
-      en::say("An object with a relief is pressed into the face"),
+      "relief", 31, en::say("An object with a relief is pressed into the face"),
       "shape: t_bar, size_mm: 12, bar_mm: 3, s_mm: 50, y_mm: 0, depth_mm: 0.9");
 }
 

@@ -15,8 +15,7 @@ class RollingShutter final : public SensorEffect {
 
   Status validate(const SceneFacts& scene) const override {
     if (readout_s_ * scene.frames_per_s > 1)
-      return Error{en::say("reading the rows would take longer than a frame lasts"),
-                   "",
+      return Error{en::say("reading the rows would take longer than a frame lasts"), "",
                    en::say("readout_ms up to {:g}", 1000 / scene.frames_per_s)};
     return {};
   }
@@ -34,9 +33,7 @@ class RollingShutter final : public SensorEffect {
 
 EffectKind effect_rolling_shutter() {
   return effect_kind<RollingShutter>(
-      "rolling-shutter",
-      2,
-      en::say("The rows of an image are exposed one after the other"),
+      "rolling-shutter", 2, en::say("The rows of an image are exposed one after the other"),
       "readout_ms: 16, rows_at_once: 8");
 }
 

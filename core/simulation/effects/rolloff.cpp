@@ -121,12 +121,11 @@ class Rolloff final : public GeometryEffect {
 
   Status validate(const SceneFacts& scene) const override {
     if (!scene.ball_presses && !scene.body_presses)
-      return Error{en::say("nothing is pressed in, so nothing rolls off"),
-                   "",
+      return Error{en::say("nothing is pressed in, so nothing rolls off"), "",
                    en::say("add ball or relief")};
     if (hertz_ && scene.body_presses)
-      return Error{
-          en::say("kind hertz is for balls only"), "", en::say("kind: smooth with a length_mm")};
+      return Error{en::say("kind hertz is for balls only"), "",
+                   en::say("kind: smooth with a length_mm")};
     return {};
   }
 
@@ -153,11 +152,9 @@ class Rolloff final : public GeometryEffect {
 }  // namespace
 
 EffectKind effect_rolloff() {
-  return effect_kind<Rolloff>("rolloff",
-                              40,
+  return effect_kind<Rolloff>("rolloff", 40,
                               en::say("The face separates gradually from the object"),
-                              "kind: hertz, length_mm: 0.8",
-                              {"ball"});
+                              "kind: hertz, length_mm: 0.8", {"ball"});
 }
 
 }  // namespace alltact

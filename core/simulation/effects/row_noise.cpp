@@ -27,10 +27,8 @@ class RowOffsets final : public SensorEffect {
 
 EffectKind effect_row_noise() {
   return effect_kind<RowOffsets>(
-      "row-noise",
-      61,
-      en::say("Every row is a little brighter or darker, differently in each frame"),
-      "sd: 0.5");
+      "row-noise", 61,
+      en::say("Every row is a little brighter or darker, differently in each frame"), "sd: 0.5");
 }
 
 }  // namespace alltact

@@ -43,9 +43,7 @@ class Scratch final : public RadianceEffect {
 }  // namespace
 
 EffectKind effect_scratch() {
-  return effect_kind<Scratch>("scratch",
-                              16,
-                              en::say("A scratch crosses the face"),
+  return effect_kind<Scratch>("scratch", 16, en::say("A scratch crosses the face"),
                               "from_mm: [30, -4], to_mm: [50, 5], width_mm: 0.3, change: 0.4");
 }
 

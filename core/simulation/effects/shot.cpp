@@ -6,9 +6,7 @@ namespace alltact {
 
 namespace {
 
-ALLTACT_WIDE void add_shot(int n,
-                           float gain,
-                           const float* __restrict normal,
+ALLTACT_WIDE void add_shot(int n, float gain, const float* __restrict normal,
                            float* __restrict value) {
   for (int u = 0; u < n; ++u) value[u] += std::sqrt(gain * std::max(value[u], 0.0F)) * normal[u];
 }
@@ -23,9 +21,7 @@ class ShotNoise final : public NoiseEffect {
 
 EffectKind effect_shot() {
   return effect_kind<ShotNoise>(
-      "shot",
-      50,
-      en::say("Light arrives as photons; their noise grows with brightness"),
+      "shot", 50, en::say("Light arrives as photons; their noise grows with brightness"),
       "gain: 0.03");
 }
 

@@ -9,9 +9,7 @@ namespace alltact {
 
 namespace {
 
-inline float unit(float part) {
-  return std::min(std::max(part, 0.0F), 1.0F);
-}
+inline float unit(float part) { return std::min(std::max(part, 0.0F), 1.0F); }
 
 // Input and output of the loop below.
 struct SideRow {
@@ -113,8 +111,8 @@ class Sides final : public RadianceEffect {
     if (scene.finger.face.kind == FaceKind::kFlat)
       return Error{en::say("a flat sensor has no side faces"), "", en::say("leave sides out")};
     if (scene.finger.camera.model == CameraModel::kOrthographic)
-      return Error{
-          en::say("an orthographic camera sees no side faces"), "", en::say("leave sides out")};
+      return Error{en::say("an orthographic camera sees no side faces"), "",
+                   en::say("leave sides out")};
     return {};
   }
 
@@ -177,8 +175,8 @@ class Sides final : public RadianceEffect {
 }  // namespace
 
 EffectKind effect_sides() {
-  return effect_kind<Sides>(
-      "sides", 20, en::say("The side faces of the body are visible"), "albedo: 0.12, depth_mm: 14");
+  return effect_kind<Sides>("sides", 20, en::say("The side faces of the body are visible"),
+                            "albedo: 0.12, depth_mm: 14");
 }
 
 }  // namespace alltact

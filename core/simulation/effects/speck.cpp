@@ -32,9 +32,7 @@ class Speck final : public RadianceEffect {
 }  // namespace
 
 EffectKind effect_speck() {
-  return effect_kind<Speck>("speck",
-                            15,
-                            en::say("A speck of dirt is on the face"),
+  return effect_kind<Speck>("speck", 15, en::say("A speck of dirt is on the face"),
                             "s_mm: 40, y_mm: 2, radius_mm: 0.5, darkness: 0.5");
 }
 

@@ -27,8 +27,8 @@ class Sway final : public GeometryEffect {
 }  // namespace
 
 EffectKind effect_sway() {
-  return effect_kind<Sway>(
-      "sway", 11, en::say("The finger leans sideways"), "sway_mm: {from: -2, to: 2}");
+  return effect_kind<Sway>("sway", 11, en::say("The finger leans sideways"),
+                           "sway_mm: {from: -2, to: 2}");
 }
 
 }  // namespace alltact

@@ -30,8 +30,8 @@ class Twist final : public GeometryEffect {
 }  // namespace
 
 EffectKind effect_twist() {
-  return effect_kind<Twist>(
-      "twist", 12, en::say("The finger twists about its length"), "twist_deg: {from: -8, to: 8}");
+  return effect_kind<Twist>("twist", 12, en::say("The finger twists about its length"),
+                            "twist_deg: {from: -8, to: 8}");
 }
 
 }  // namespace alltact

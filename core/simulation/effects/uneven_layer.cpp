@@ -19,12 +19,8 @@ struct LayerWave {
   float per_s, per_y, phase;  // turns
 };
 
-ALLTACT_WIDE void add_layer_wave(int first,
-                                 int last,
-                                 LayerWave wave,
-                                 const float* __restrict s,
-                                 const float* __restrict y,
-                                 const float* __restrict shift,
+ALLTACT_WIDE void add_layer_wave(int first, int last, LayerWave wave, const float* __restrict s,
+                                 const float* __restrict y, const float* __restrict shift,
                                  float* __restrict sum) {
   for (int u = first; u < last; ++u)
     sum[u] += vector_cos_turns(wave.per_s * s[u] + wave.per_y * (y[u] - shift[u]) + wave.phase);
@@ -45,8 +41,8 @@ class UnevenLayer final : public GeometryEffect {
                   static_cast<float>(philox_uniform(frame.seed, "uneven-layer", 0, k))};
     }
     geometry.layer_changes.emplace_back(
-        [waves, share = static_cast<float>(share_)](
-            const FaceRow& face, RowScratch& scratch, float* luf_mm) {
+        [waves, share = static_cast<float>(share_)](const FaceRow& face, RowScratch& scratch,
+                                                    float* luf_mm) {
           float* sum = scratch.floats();
           std::fill(sum + face.first, sum + face.last, 0.0F);
           for (const LayerWave& wave : waves)
@@ -62,8 +58,7 @@ class UnevenLayer final : public GeometryEffect {
 }  // namespace
 
 EffectKind effect_uneven_layer() {
-  return effect_kind<UnevenLayer>("uneven-layer",
-                                  20,
+  return effect_kind<UnevenLayer>("uneven-layer", 20,
                                   en::say("The layer is not equally thick everywhere"),
                                   "share: 0.03, length_mm: 12");
 }

@@ -11,8 +11,7 @@ class Veil final : public SensorEffect {
   explicit Veil(YamlSection& p) : share_(p.number("share", {0, 1, true, true, true})) {}
 
   bool needs_full_image() const override { return true; }
-  void process_image(const FrameContext&,
-                     const FrameGeometry&,
+  void process_image(const FrameContext&, const FrameGeometry&,
                      cv::Mat_<float>& grey) const override {
     const auto veil = static_cast<float>(share_ * cv::mean(grey)[0]);
     const auto rest = static_cast<float>(1 - share_);
@@ -29,8 +28,8 @@ class Veil final : public SensorEffect {
 }  // namespace
 
 EffectKind effect_veil() {
-  return effect_kind<Veil>(
-      "veil", 15, en::say("Part of the light spreads over the entire image"), "share: 0.02");
+  return effect_kind<Veil>("veil", 15, en::say("Part of the light spreads over the entire image"),
+                           "share: 0.02");
 }
 
 }  // namespace alltact

@@ -12,9 +12,7 @@ namespace {
 
 constexpr int kVignettingSteps = 1000;  // samples at which a polynomial must be above 0
 
-ALLTACT_WIDE void vignette_cos4(int n,
-                                const float* __restrict dx,
-                                const float* __restrict dy,
+ALLTACT_WIDE void vignette_cos4(int n, const float* __restrict dx, const float* __restrict dy,
                                 float* __restrict share) {
   for (int u = 0; u < n; ++u) {
     const float cos2 = 1.0F / (1.0F + dx[u] * dx[u] + dy[u] * dy[u]);
@@ -26,8 +24,8 @@ struct VignettingPolynomial {
   float a, b, c;
 };
 
-ALLTACT_WIDE void vignette_polynomial(
-    int n, float cx, float y2, float per_r2, VignettingPolynomial p, float* __restrict share) {
+ALLTACT_WIDE void vignette_polynomial(int n, float cx, float y2, float per_r2,
+                                      VignettingPolynomial p, float* __restrict share) {
   const float a = p.a, b = p.b, c = p.c;
   for (int u = 0; u < n; ++u) {
     const float x = static_cast<float>(u) - cx;
@@ -45,8 +43,7 @@ class Vignetting final : public RadianceEffect {
     for (int i = 1; i <= kVignettingSteps; ++i) {
       const double r2 = static_cast<double>(i) / kVignettingSteps;
       if (1 + r2 * (k[0] + r2 * (k[1] + r2 * k[2])) <= 0)
-        p.refuse("coefficients",
-                 en::say("parts of the image would have no light"),
+        p.refuse("coefficients", en::say("parts of the image would have no light"),
                  en::say("1 + a r^2 + b r^4 + c r^6 above 0 up to r = 1"));
     }
     polynomial_ = {static_cast<float>(k[0]), static_cast<float>(k[1]), static_cast<float>(k[2])};
@@ -54,8 +51,7 @@ class Vignetting final : public RadianceEffect {
 
   Status validate(const SceneFacts& scene) const override {
     if (cos4_ && scene.finger.camera.model == CameraModel::kOrthographic)
-      return Error{en::say("the rays of an orthographic camera do not spread"),
-                   "",
+      return Error{en::say("the rays of an orthographic camera do not spread"), "",
                    en::say("kind: polynomial, or leave vignetting out")};
     return {};
   }
@@ -75,11 +71,8 @@ class Vignetting final : public RadianceEffect {
     return [this, &camera, per_r2 = static_cast<float>(1 / (x * x + y * y))](RowView& row) {
       float* share = row.scratch.floats();
       const double from_middle = row.v - camera.cy_px;
-      vignette_polynomial(row.width,
-                          static_cast<float>(camera.cx_px),
-                          static_cast<float>(from_middle * from_middle),
-                          per_r2,
-                          polynomial_,
+      vignette_polynomial(row.width, static_cast<float>(camera.cx_px),
+                          static_cast<float>(from_middle * from_middle), per_r2, polynomial_,
                           share);
       apply(share, row);
     };
@@ -98,8 +91,8 @@ class Vignetting final : public RadianceEffect {
 }  // namespace
 
 EffectKind effect_vignetting() {
-  return effect_kind<Vignetting>(
-      "vignetting", 90, en::say("The image is darker towards its corners"), "kind: cos4");
+  return effect_kind<Vignetting>("vignetting", 90,
+                                 en::say("The image is darker towards its corners"), "kind: cos4");
 }
 
 }  // namespace alltact

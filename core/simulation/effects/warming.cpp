@@ -14,8 +14,8 @@ class Warming final : public GeometryEffect {
 
   Status validate(const SceneFacts& scene) const override {
     if (scene.lamp_count == 0)
-      return Error{
-          en::say("there is no lamp that could warm up"), "", en::say("name the effect leds too")};
+      return Error{en::say("there is no lamp that could warm up"), "",
+                   en::say("name the effect leds too")};
     return {};
   }
 
@@ -31,11 +31,8 @@ class Warming final : public GeometryEffect {
 }  // namespace
 
 EffectKind effect_warming() {
-  return effect_kind<Warming>("warming",
-                              73,
-                              en::say("The lamps lose light while they warm up"),
-                              "loss: 0.1, after_s: 60",
-                              {"leds"});
+  return effect_kind<Warming>("warming", 73, en::say("The lamps lose light while they warm up"),
+                              "loss: 0.1, after_s: 60", {"leds"});
 }
 
 }  // namespace alltact

@@ -40,11 +40,8 @@ class WornMarker final : public GeometryEffect {
 }  // namespace
 
 EffectKind effect_worn_marker() {
-  return effect_kind<WornMarker>("worn-marker",
-                                 62,
-                                 en::say("Dots are worn and fainter"),
-                                 "markers: [2], wear: 0.5",
-                                 {"sides", "markers"});
+  return effect_kind<WornMarker>("worn-marker", 62, en::say("Dots are worn and fainter"),
+                                 "markers: [2], wear: 0.5", {"sides", "markers"});
 }
 
 }  // namespace alltact

@@ -12,12 +12,12 @@ namespace {
 
 // Ascending powers of chi, from 0 to BondedLayerContact::kMaxChi.
 using ChiSeries = std::array<double, 8>;
-constexpr ChiSeries kForceSeries{
-    1, 1.160142, 0.946650, 3.943779, -3.059152, 1.402830, -0.305381, 0.025786};
-constexpr ChiSeries kRadiusSeries{
-    1, 0.353462, 0.664927, -1.206125, 0.859433, -0.314643, 0.058293, -0.004327};
-constexpr ChiSeries kExponentSeries{
-    0.5, 0.018102, -0.426864, 1.542810, -1.438462, 0.609028, -0.123335, 0.009707};
+constexpr ChiSeries kForceSeries{1,         1.160142, 0.946650,  3.943779,
+                                 -3.059152, 1.402830, -0.305381, 0.025786};
+constexpr ChiSeries kRadiusSeries{1,        0.353462,  0.664927, -1.206125,
+                                  0.859433, -0.314643, 0.058293, -0.004327};
+constexpr ChiSeries kExponentSeries{0.5,       0.018102, -0.426864, 1.542810,
+                                    -1.438462, 0.609028, -0.123335, 0.009707};
 
 // sum c_k w(k) chi^k.
 template <class Weight>
@@ -39,13 +39,11 @@ BondedLayerContact::BondedLayerContact(double modulus_MPa, double layer_mm, doub
       max_mm_(std::min(kMaxDepthShare * layer_mm,
                        kMaxChi * kMaxChi * layer_mm * layer_mm / radius_mm)) {}
 
-Result<BondedLayerContact> BondedLayerContact::create(double modulus_MPa,
-                                                      double layer_mm,
+Result<BondedLayerContact> BondedLayerContact::create(double modulus_MPa, double layer_mm,
                                                       double radius_mm) {
   for (const double given : {modulus_MPa, layer_mm, radius_mm})
     if (!(given > 0 && std::isfinite(given)))
-      return Error{en::say("a layer cannot have a modulus or a length of {:g}", given),
-                   "",
+      return Error{en::say("a layer cannot have a modulus or a length of {:g}", given), "",
                    en::say("numbers above 0")};
   return BondedLayerContact(modulus_MPa, layer_mm, radius_mm);
 }
@@ -97,8 +95,7 @@ double BondedLayerContact::pressure_MPa(double indentation_mm, double r_mm) cons
 Result<double> BondedLayerContact::indentation_mm(double force) const {
   const double max_value = max_force_N();
   if (!(force >= 0 && force <= max_value))
-    return Error{en::say("{:g} N press the ball into the layer beyond the known range", force),
-                 "",
+    return Error{en::say("{:g} N press the ball into the layer beyond the known range", force), "",
                  en::say("up to {:.3g} N, a larger ball or a harder layer", max_value)};
   if (force == 0) return 0.0;
   // Newton's method on log F over log d, which is nearly straight, bracketed by `low` and `high`.
@@ -162,9 +159,9 @@ class Outside {
     const double peak = 2 * a * beta / (std::numbers::pi * std::numbers::pi);
     for (const GaussNode& node : kAngles) {
       const double angle = 0.5 * std::numbers::pi * node.position;
-      abel_.push_back({a * std::sin(angle),
-                       peak * 0.5 * std::numbers::pi * node.weight * a * std::cos(angle) *
-                           std::pow(std::cos(angle), 2 * exponent + 1)});
+      abel_.push_back(
+          {a * std::sin(angle), peak * 0.5 * std::numbers::pi * node.weight * a * std::cos(angle) *
+                                    std::pow(std::cos(angle), 2 * exponent + 1)});
     }
     for (const GaussNode& node : kWaves) {
       const double k = kMaxWave * node.position;
@@ -196,8 +193,7 @@ double cubic(const std::array<double, 4>& y, double t) {
 
 }  // namespace
 
-std::vector<float> indented_surface_mm(const BondedLayerContact& contact,
-                                       double indentation_mm,
+std::vector<float> indented_surface_mm(const BondedLayerContact& contact, double indentation_mm,
                                        double step_mm) {
   const double h = contact.layer_mm(), radius = contact.radius_mm();
   const double a = std::min(contact.contact_radius_mm(indentation_mm), radius);
@@ -262,23 +258,20 @@ Eigen::Vector2d tangential_mm(const Eigen::Vector2d& at, double a) {
 
 }  // namespace
 
-Eigen::Vector2d limited_by_friction(const Eigen::Vector2d& tangential_N,
-                                    double normal_N,
+Eigen::Vector2d limited_by_friction(const Eigen::Vector2d& tangential_N, double normal_N,
                                     double friction) {
   const double requested = tangential_N.norm(), held = friction * normal_N;
   return requested > held ? Eigen::Vector2d(tangential_N * (held / requested)) : tangential_N;
 }
 
-Result<HalfSpaceContact> HalfSpaceContact::create(double modulus_MPa,
-                                                  double radius_mm,
+Result<HalfSpaceContact> HalfSpaceContact::create(double modulus_MPa, double radius_mm,
                                                   double normal_N,
                                                   const Eigen::Vector2d& tangential_N,
                                                   double friction) {
   for (const double given : {modulus_MPa, radius_mm, normal_N, friction})
     if (!(given > 0 && std::isfinite(given)))
       return Error{en::say("{:g} cannot be a contact's modulus, radius, force or friction", given),
-                   "",
-                   en::say("numbers above 0")};
+                   "", en::say("numbers above 0")};
   if (!tangential_N.allFinite())
     return Error{en::say("the tangential force is not a number"), "", en::say("newtons")};
   HalfSpaceContact contact;
@@ -289,8 +282,7 @@ Result<HalfSpaceContact> HalfSpaceContact::create(double modulus_MPa,
   if (a > kMaxContactShare * radius_mm) {
     const double max_value = std::pow(kMaxContactShare, 3) * radius_mm * radius_mm * plane / 0.75;
     return Error{en::say("{:g} N press the ball into the body beyond the known range", normal_N),
-                 "",
-                 en::say("up to {:.3g} N, a larger ball or a harder body", max_value)};
+                 "", en::say("up to {:.3g} N, a larger ball or a harder body", max_value)};
   }
   contact.contact_mm_ = a;
   contact.slip_traction_MPa_ = friction * 1.5 * normal_N / (std::numbers::pi * a * a);

@@ -76,8 +76,7 @@ class BondedLayerContact {
 /// of d. The surface bulges (negative) beyond about one thickness from the rim, since the rubber is
 /// incompressible. The profile ends where nothing visible remains.
 [[nodiscard]] std::vector<float> indented_surface_mm(const BondedLayerContact& contact,
-                                                     double indentation_mm,
-                                                     double step_mm);
+                                                     double indentation_mm, double step_mm);
 
 // A ball on a thick soft body, pushed and dragged: how the surface around it moves.
 
@@ -99,11 +98,8 @@ class HalfSpaceContact {
 
   /// Error: a number is not above 0 (tangential ones may be anything), or the ball sinks in beyond
   /// the range of Hertz' theory.
-  static Result<HalfSpaceContact> create(double modulus_MPa,
-                                         double radius_mm,
-                                         double normal_N,
-                                         const Eigen::Vector2d& tangential_N,
-                                         double friction);
+  static Result<HalfSpaceContact> create(double modulus_MPa, double radius_mm, double normal_N,
+                                         const Eigen::Vector2d& tangential_N, double friction);
 
   [[nodiscard]] double contact_radius_mm() const { return contact_mm_; }
   [[nodiscard]] double indentation_mm() const { return contact_mm_ * contact_mm_ / radius_mm_; }
@@ -123,8 +119,7 @@ class HalfSpaceContact {
 
 /// The tangential force that friction transmits: at most friction * normal.
 [[nodiscard]] Eigen::Vector2d limited_by_friction(const Eigen::Vector2d& tangential_N,
-                                                  double normal_N,
-                                                  double friction);
+                                                  double normal_N, double friction);
 
 // Deflection of a soft half space around an indenting ball (Hertz).
 

@@ -20,9 +20,7 @@ inline constexpr double kSoftestShoreA = 1, kHardestShoreA = 90;
 [[nodiscard]] Result<double> modulus_from_shore_a(double shore_a);
 
 /// Of an incompressible rubber: E / 3.
-[[nodiscard]] constexpr double shear_modulus(double modulus_MPa) {
-  return modulus_MPa / 3;
-}
+[[nodiscard]] constexpr double shear_modulus(double modulus_MPa) { return modulus_MPa / 3; }
 
 // Viscoelastic response of rubber: damping and creep.
 

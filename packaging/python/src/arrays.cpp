@@ -34,15 +34,11 @@ cv::Mat image_over(const py::object& given, const py::dtype& dtype, int type, co
                     array.shape(1) > 0 && array.strides(1) == size &&
                     array.strides(0) >= array.shape(1) * size;
   if (!fits)
-    throw Failure({en::say("this is not {}", Message::typed(what)),
-                   "",
+    throw Failure({en::say("this is not {}", Message::typed(what)), "",
                    en::say("numpy.ascontiguousarray, and one channel")});
   // OpenCV's headers have no type for a read-only image.
-  return {static_cast<int>(array.shape(0)),
-          static_cast<int>(array.shape(1)),
-          type,
-          const_cast<void*>(array.data()),
-          static_cast<std::size_t>(array.strides(0))};
+  return {static_cast<int>(array.shape(0)), static_cast<int>(array.shape(1)), type,
+          const_cast<void*>(array.data()), static_cast<std::size_t>(array.strides(0))};
 }
 
 /// Releases a Python object on whatever thread; not once the interpreter has gone.
@@ -73,8 +69,8 @@ py::object array_of(const cv::Mat& image, std::shared_ptr<const void> owner) {
 }
 
 std::shared_ptr<Frame> frame_over(const py::object& image) {
-  const cv::Mat grey = image_over(
-      image, py::dtype::of<std::uint8_t>(), CV_8UC1, "a grey picture: an array uint8 [v, u]");
+  const cv::Mat grey = image_over(image, py::dtype::of<std::uint8_t>(), CV_8UC1,
+                                  "a grey picture: an array uint8 [v, u]");
   auto* const held = new py::object(image);
   std::shared_ptr<Frame> frame(new Frame, [held](Frame* over) {
     delete over;

@@ -91,18 +91,16 @@ void add_annotations(const std::map<std::string, std::vector<std::string>>& say,
                      PressSet& press_set) {
   for (const auto& [flag, texts] : say) {
     const auto& kinds = press_note_kinds();
-    const auto kind = std::find_if(
-        kinds.begin(), kinds.end(), [flag_name = flag_of(flag)](const PressNoteKind& known) {
-          return flag_name == known.flag;
-        });
+    const auto kind = std::find_if(kinds.begin(), kinds.end(),
+                                   [flag_name = flag_of(flag)](const PressNoteKind& known) {
+                                     return flag_name == known.flag;
+                                   });
     if (kind == kinds.end()) {
       std::vector<std::string> names;
       for (const PressNoteKind& known : kinds) names.emplace_back(known.flag);
-      throw Failure({en::say("nothing of this kind can be said of a press: '{}', but {}",
-                             flag,
+      throw Failure({en::say("nothing of this kind can be said of a press: '{}', but {}", flag,
                              one_of(names, flag)),
-                     "",
-                     ""});
+                     "", ""});
     }
     for (const std::string& text : texts) check(set_press_note(*kind, text, press_set));
   }
@@ -110,16 +108,12 @@ void add_annotations(const std::map<std::string, std::vector<std::string>>& say,
 
 using Say = std::map<std::string, std::vector<std::string>>;
 
-std::shared_ptr<FingerCalibration> calibrate(const fs::path& folder,
-                                             const py::object& presses,
+std::shared_ptr<FingerCalibration> calibrate(const fs::path& folder, const py::object& presses,
                                              double ball_radius_mm,
-                                             const std::optional<fs::path>& reference,
-                                             bool bursts,
+                                             const std::optional<fs::path>& reference, bool bursts,
                                              const std::string& operator_name,
-                                             const std::string& date,
-                                             const Say& say,
-                                             py::object progress,
-                                             const py::kwargs& settings) {
+                                             const std::string& date, const Say& say,
+                                             py::object progress, const py::kwargs& settings) {
   FingerCalibrationInput input;
   input.folder = folder;
   input.presses = press_input(presses, bursts);
@@ -171,19 +165,10 @@ void bind_calibration(py::module_& module) {
         all.insert(all.end(), more.begin(), more.end());
         return all;
       });
-  function(module,
-           "calibrate",
-           &calibrate,
-           py::arg("folder"),
-           py::arg("presses"),
-           py::arg("ball_radius_mm"),
-           py::kw_only(),
-           py::arg("reference") = py::none(),
-           py::arg("bursts") = false,
-           py::arg("operator") = "",
-           py::arg("date") = "",
-           py::arg("say") = Say(),
-           py::arg("progress") = py::none());
+  function(module, "calibrate", &calibrate, py::arg("folder"), py::arg("presses"),
+           py::arg("ball_radius_mm"), py::kw_only(), py::arg("reference") = py::none(),
+           py::arg("bursts") = false, py::arg("operator") = "", py::arg("date") = "",
+           py::arg("say") = Say(), py::arg("progress") = py::none());
   function(module, "presets", &presets_in, py::arg("folder"));
 }
 

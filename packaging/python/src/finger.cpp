@@ -109,9 +109,7 @@ py::object grey_of(const ResultPtr& r) {
   return r->frame ? array_of(r->frame->grey, r) : py::none();
 }
 
-MeasuredResultPtr measured(FingerPtr finger,
-                           FrameResult result,
-                           std::size_t index,
+MeasuredResultPtr measured(FingerPtr finger, FrameResult result, std::size_t index,
                            ReferenceMethod method) {
   auto made = std::make_shared<MeasuredResult>();
   made->finger = std::move(finger);
@@ -122,9 +120,7 @@ MeasuredResultPtr measured(FingerPtr finger,
 }
 
 /// `frame`: may be null.
-MeasuredResultPtr not_measured(FingerPtr finger,
-                               FramePtr frame,
-                               std::size_t index,
+MeasuredResultPtr not_measured(FingerPtr finger, FramePtr frame, std::size_t index,
                                const Error& problem) {
   auto made = std::make_shared<MeasuredResult>();
   made->finger = std::move(finger);
@@ -209,9 +205,7 @@ struct OpenFinger {
 };
 using OpenFingerPtr = std::shared_ptr<OpenFinger>;
 
-std::string words_of(const py::handle& value) {
-  return py::str(value).cast<std::string>();
-}
+std::string words_of(const py::handle& value) { return py::str(value).cast<std::string>(); }
 
 OpenFingerPtr load(const fs::path& folder, const std::string& preset, const py::kwargs& settings) {
   auto open = std::make_shared<OpenFinger>();
@@ -225,9 +219,7 @@ OpenFingerPtr load(const fs::path& folder, const std::string& preset, const py::
 }
 
 /// A frame of its own or one made over an array.
-FramePtr frame_to_measure(OpenFinger& open,
-                          const py::object& image,
-                          std::int64_t time_ns,
+FramePtr frame_to_measure(OpenFinger& open, const py::object& image, std::int64_t time_ns,
                           const std::string& name) {
   if (py::isinstance<Frame>(image)) return image.cast<std::shared_ptr<Frame>>();
   auto frame = frame_over(image);
@@ -239,16 +231,14 @@ FramePtr frame_to_measure(OpenFinger& open,
   return frame;
 }
 
-MeasuredResultPtr measure(OpenFinger& open,
-                          const py::object& image,
-                          std::int64_t time_ns,
+MeasuredResultPtr measure(OpenFinger& open, const py::object& image, std::int64_t time_ns,
                           const std::string& name) {
   FramePtr frame = frame_to_measure(open, image, time_ns, name);
   const py::gil_scoped_release others_may_run;
   const std::lock_guard lock(open.measuring);
   auto result = value_of((*open.pipeline)(frame));
-  return measured(
-      open.finger, std::move(result), open.index++, open.pipeline->settings().reference);
+  return measured(open.finger, std::move(result), open.index++,
+                  open.pipeline->settings().reference);
 }
 
 /// Every frame of a source, as `alltact reconstruct` measures it.
@@ -390,11 +380,7 @@ void bind_facts(Documented<OpenFinger>& finger) {
 
 void bind_measuring(Documented<OpenFinger>& finger) {
   finger
-      .method("measure",
-              &measure,
-              py::arg("picture"),
-              py::kw_only(),
-              py::arg("time_ns") = 0,
+      .method("measure", &measure, py::arg("picture"), py::kw_only(), py::arg("time_ns") = 0,
               py::arg("name") = "")
       .method("forget",
               [](OpenFinger& f) {

@@ -105,8 +105,7 @@ void function(py::module_& module, const std::string& name, Call call, const Mor
 /// Takes one setting. False: the table has none of this name. Error: the value is out of range.
 template <class S>
 [[nodiscard]] Result<bool> take_setting(const std::vector<Setting<S>>& table,
-                                        const std::string& name,
-                                        const std::string& value,
+                                        const std::string& name, const std::string& value,
                                         S& settings) {
   for (const Setting<S>& setting : table) {
     if (setting.name != flag_of(name)) continue;

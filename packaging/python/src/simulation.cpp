@@ -58,9 +58,7 @@ void bind_simulation(py::module_& module) {
             Plan plan = value_of(Plan::compile(scene, seed));
             return std::make_shared<OpenScene>(OpenScene{std::move(scene), std::move(plan)});
           },
-          py::arg("path"),
-          py::kw_only(),
-          py::arg("seed") = 1)
+          py::arg("path"), py::kw_only(), py::arg("seed") = 1)
       .property("name", [](const OpenScene& s) { return s.scene.name; })
       .property("why", [](const OpenScene& s) { return s.scene.why; })
       .property("effects", [](const OpenScene& s) { return s.plan.effects(); })

@@ -54,9 +54,7 @@ py::object times_of(const Recording& recording) {
 void bind_frame(py::module_& module) {
   Documented<Frame>(module, "Frame")
       .made_by(
-          [](const py::object& grey,
-             std::int64_t time_ns,
-             const std::string& name,
+          [](const py::object& grey, std::int64_t time_ns, const std::string& name,
              std::uint64_t sequence) {
             auto frame = frame_over(grey);
             frame->time_ns = time_ns;
@@ -64,10 +62,7 @@ void bind_frame(py::module_& module) {
             frame->sequence = sequence;
             return frame;
           },
-          py::arg("grey"),
-          py::kw_only(),
-          py::arg("time_ns") = 0,
-          py::arg("name") = "frame",
+          py::arg("grey"), py::kw_only(), py::arg("time_ns") = 0, py::arg("name") = "frame",
           py::arg("sequence") = 0)
       .property("grey", [](const std::shared_ptr<Frame>& f) { return array_of(f->grey, f); })
       .property("name", [](const Frame& f) { return f.name; })
@@ -102,23 +97,19 @@ void bind_recording(py::module_& module) {
 
 void bind_depth_files(py::module_& module) {
   function(
-      module,
-      "depth_tiff",
+      module, "depth_tiff",
       [](const py::object& depth) { return py::bytes(depth_tiff(depth_over(depth))); },
       py::arg("depth"));
   function(
-      module,
-      "to_depth16",
+      module, "to_depth16",
       [](const py::object& depth) { return array_of(depth_steps(depth_over(depth))); },
       py::arg("depth"));
   function(
-      module,
-      "read_depth",
+      module, "read_depth",
       [](const fs::path& folder, const std::string& frame) {
         return array_of(value_of(read_frame_depth(folder, frame)));
       },
-      py::arg("folder"),
-      py::arg("frame"));
+      py::arg("folder"), py::arg("frame"));
 }
 
 }  // namespace
@@ -155,15 +146,11 @@ void bind_sources(py::module_& module) {
         return std::const_pointer_cast<Frame>(frame);  // Python cannot write any of it
       });
   function(
-      module,
-      "open_source",
+      module, "open_source",
       [](const py::object& inputs, bool live, std::uint64_t seed) {
         return open(paths_of(inputs), live ? Pace::kRecorded : Pace::kOnDemand, seed);
       },
-      py::arg("inputs"),
-      py::kw_only(),
-      py::arg("live") = false,
-      py::arg("seed") = 1);
+      py::arg("inputs"), py::kw_only(), py::arg("live") = false, py::arg("seed") = 1);
   bind_recording(module);
   bind_depth_files(module);
 }

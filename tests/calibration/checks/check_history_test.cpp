@@ -79,12 +79,8 @@ TEST(SecondsOf, KnowsTheCalendar) {
   EXPECT_EQ(unix_seconds("1970-01-01T00:00:00Z"), 0.0);
   EXPECT_EQ(unix_seconds("2000-03-01T00:00:00Z"), 951868800.0);  // as date -u +%s says
   EXPECT_EQ(unix_seconds("2026-11-21T16:18:16Z"), 1795277896.0);
-  for (const char* wrong : {"",
-                            "2026-02-30T00:00:00Z",
-                            "2026-01-01 00:00:00",
-                            "2026-01-01T24:00:00Z",
-                            "2026-01-01T00:00:00Zx",
-                            "2026-1-01T00:00:00Z"})
+  for (const char* wrong : {"", "2026-02-30T00:00:00Z", "2026-01-01 00:00:00",
+                            "2026-01-01T24:00:00Z", "2026-01-01T00:00:00Zx", "2026-1-01T00:00:00Z"})
     EXPECT_FALSE(unix_seconds(wrong)) << wrong;
 }
 

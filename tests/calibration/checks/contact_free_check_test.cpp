@@ -88,12 +88,11 @@ TEST_F(AgedSensor, MuchMoreOrAStainWantsANewReference) {
 TEST_F(AgedSensor, WhatCannotBeCheckedIsSaid) {
   Finger bare = finger_;
   bare.mapping.reset();
-  EXPECT_FALSE(check_contact_free(
-                   FingerSnapshot::of(folder_.path(), bare).value(), {folder_ / "ref.png"}, Job())
+  EXPECT_FALSE(check_contact_free(FingerSnapshot::of(folder_.path(), bare).value(),
+                                  {folder_ / "ref.png"}, Job())
                    .ok());
   EXPECT_FALSE(check_contact_free(FingerSnapshot::of(folder_.path(), finger_).value(),
-                                  {folder_ / "absent.png"},
-                                  Job())
+                                  {folder_ / "absent.png"}, Job())
                    .ok());
 }
 

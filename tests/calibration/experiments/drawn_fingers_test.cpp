@@ -82,8 +82,7 @@ TEST_F(DrawnFingers, PlacesAreTheSameInEveryRoomAndAsNearAsAskedFor) {
     for (std::size_t room = 0; room < kRoomLevels.size(); ++room) {
       ErrorSamples inner, tip;
       const auto frames =
-          one.measure("experiment_room_light",
-                      in_room(kRoomLevels[room]),
+          one.measure("experiment_room_light", in_room(kRoomLevels[room]),
                       [&](std::size_t, const Truth& truth, const FrameResult& result) {
                         ASSERT_FALSE(result.regions.empty());
                         const ContactTruth& contact = truth.contacts.front();
@@ -98,10 +97,8 @@ TEST_F(DrawnFingers, PlacesAreTheSameInEveryRoomAndAsNearAsAskedFor) {
     }
     EXPECT_EQ(rooms[0].count, 27);
     EXPECT_LT(change(rooms), 0.1) << number;
-    printf("[ figures  ] finger %d: places off by %.3f mm, %.1f %% apart between rooms\n",
-           number,
-           rooms[0].mean(),
-           100 * change(rooms));
+    printf("[ figures  ] finger %d: places off by %.3f mm, %.1f %% apart between rooms\n", number,
+           rooms[0].mean(), 100 * change(rooms));
   }
 }
 
@@ -128,8 +125,7 @@ TEST_F(DrawnFingers, ForcesAreTheSameInEveryRoom) {
   ASSERT_TRUE(one.learn_force(*table, training_of_experiments()));
   std::array<ErrorSamples, kRoomLevels.size()> rooms;
   for (std::size_t room = 0; room < kRoomLevels.size(); ++room)
-    ASSERT_TRUE(one.measure("experiment_room_force",
-                            in_room(kRoomLevels[room]),
+    ASSERT_TRUE(one.measure("experiment_room_force", in_room(kRoomLevels[room]),
                             [&](std::size_t, const Truth& truth, const FrameResult& result) {
                               if (!result.force) return;
                               for (Eigen::Index axis = 0; axis < 2; ++axis)
@@ -140,8 +136,7 @@ TEST_F(DrawnFingers, ForcesAreTheSameInEveryRoom) {
   EXPECT_GT(rooms[0].count, 80);
   EXPECT_LT(rooms[0].mean(), 0.1);
   EXPECT_LT(change(rooms), 0.1);
-  printf("[ figures  ] forces off by %.3f N, %.1f %% apart between rooms\n",
-         rooms[0].mean(),
+  printf("[ figures  ] forces off by %.3f N, %.1f %% apart between rooms\n", rooms[0].mean(),
          100 * change(rooms));
 }
 
@@ -158,8 +153,8 @@ TEST_F(DrawnFingers, APoseHasANearReferenceOrIsToldNotToBeRecorded) {
     for (int i = 0; i < within.frame_count(); ++i) {
       const FrameResult result = measured(within, i);
       ASSERT_TRUE(result.reference && result.markers);
-      const auto dots = std::count_if(
-          result.markers->begin(), result.markers->end(), [](const auto& m) { return m.seen; });
+      const auto dots = std::count_if(result.markers->begin(), result.markers->end(),
+                                      [](const auto& m) { return m.seen; });
       const bool is_told = !result.reference->known_pose || result.reference->is_sparse();
       EXPECT_EQ(is_told,
                 std::any_of(result.problems.begin(), result.problems.end(), [](const auto& p) {
@@ -175,8 +170,8 @@ TEST_F(DrawnFingers, APoseHasANearReferenceOrIsToldNotToBeRecorded) {
     const FingerVariant& finger = one.options().finger;
     for (const Plan& plan :
          {references_with(finger, "q1_mm: {from: -5.0, to: 5.0}", "q1_mm: {from: 9.0, to: 12.0}"),
-          references_with(
-              finger, "sway_mm: {from: -2.5, to: 2.5}", "sway_mm: {from: -7.0, to: -5.0}")})
+          references_with(finger, "sway_mm: {from: -2.5, to: 2.5}",
+                          "sway_mm: {from: -7.0, to: -5.0}")})
       for (int i = 0; i < plan.frame_count(); i += 4) {
         const FrameResult result = measured(plan, i);
         ++beyond;
@@ -187,11 +182,7 @@ TEST_F(DrawnFingers, APoseHasANearReferenceOrIsToldNotToBeRecorded) {
       }
   }
   printf("[ figures  ] of %d poses %d near a dot, %d summed or told; %d of %d beyond are told\n",
-         frames,
-         near_a_dot,
-         near_together,
-         told_beyond,
-         beyond);
+         frames, near_a_dot, near_together, told_beyond, beyond);
   EXPECT_EQ(near_a_dot, frames);
   EXPECT_GE(near_together, 0.995 * frames);
   EXPECT_EQ(told_beyond, beyond);

@@ -129,8 +129,7 @@ TEST_F(ExperimentsOnAFinger, PoseIsThatOfTheBars) {
 TEST_F(ExperimentsOnAFinger, LocalisationHoldsAgainstTheBallsOwnCentres) {
   double greatest_mm = 0;
   const auto frames = bench_->measure(
-      "experiment_localisation",
-      {},
+      "experiment_localisation", {},
       [&](std::size_t, const Truth& truth, const FrameResult& result) {
         ASSERT_FALSE(result.regions.empty());
         const Eigen::Vector3d normal = truth.contacts.front().direction;

@@ -36,8 +36,7 @@ struct KeptError {
 double p95_on_simulated_presses(const ExperimentBench& bench, const PipelineSettings& settings) {
   std::vector<float> errors_mm;
   const auto frames = bench.measure(
-      "study_presses",
-      {{settings}, TruthDetail::kAll, {}},
+      "study_presses", {{settings}, TruthDetail::kAll, {}},
       [&](std::size_t, const Truth& truth, const FrameResult& result) {
         if (!result.depth) return;
         const cv::Mat read =
@@ -69,8 +68,8 @@ void expect_budgets_kept(const StudyWorld& world, const AccuracyStudy& study) {
     error_before_mm = chosen.depth->median_mm;
     std::vector<Pipeline> pipelines;
     for (const PipelineSettings& settings : {base, chosen.settings})
-      pipelines.push_back(Pipeline::with_library(
-          world.library_for(settings, Job()).value(), *world.finger, settings));
+      pipelines.push_back(Pipeline::with_library(world.library_for(settings, Job()).value(),
+                                                 *world.finger, settings));
     std::vector<double> ratios, times_ms;
     for (int repeat = 0; repeat < 5; ++repeat)
       for (const StudyFrame& frame : world.frames) {
@@ -88,12 +87,8 @@ void expect_budgets_kept(const StudyWorld& world, const AccuracyStudy& study) {
     const double again_ms = study.rows.front().time_ms * upper_median(ratios);
     std::printf(
         "[ figures  ] within %.0f ms: promised %.2f ms, again %.2f ms (%.2f ms now), %.1f um: %s\n",
-        budget_ms,
-        frame_ms(study, chosen),
-        again_ms,
-        upper_median(times_ms),
-        1000 * chosen.depth->median_mm,
-        flags_of(chosen.settings, base).c_str());
+        budget_ms, frame_ms(study, chosen), again_ms, upper_median(times_ms),
+        1000 * chosen.depth->median_mm, flags_of(chosen.settings, base).c_str());
     EXPECT_LE(again_ms, 1.1 * budget_ms);
   }
 }
@@ -154,11 +149,7 @@ TEST(ErrorsToKeep, HoldsOnPressesThatTheStudyNeverSaw) {
       const std::lock_guard lock(printing);
       std::printf(
           "[ figures  ] finger %3d: asked %.1f um, is %.1f um (%.2f), %.2f of the time: %s\n",
-          number,
-          1000 * one.asked_mm,
-          1000 * one.is_mm,
-          one.is_mm / one.asked_mm,
-          one.time_ratio,
+          number, 1000 * one.asked_mm, 1000 * one.is_mm, one.is_mm / one.asked_mm, one.time_ratio,
           one.flags.c_str());
       std::fflush(stdout);
     }
@@ -169,10 +160,8 @@ TEST(ErrorsToKeep, HoldsOnPressesThatTheStudyNeverSaw) {
       threads.emplace_back(work);
     work();
   }
-  std::printf("[ figures  ] %d of %d fingers keep what was asked, %d with less time\n",
-              kept.load(),
-              fingers,
-              faster.load());
+  std::printf("[ figures  ] %d of %d fingers keep what was asked, %d with less time\n", kept.load(),
+              fingers, faster.load());
   EXPECT_GE(kept, static_cast<int>(std::floor(0.95 * fingers)));
   if (fingers >= 20) {
     EXPECT_GE(faster, fingers / 2) << "asking for more error than now should bring time";

@@ -54,8 +54,8 @@ fs::path saved(const TemporaryFolder& folder, const Finger& finger) {
   return folder / "finger";
 }
 
-const std::vector<ExportForm> kAll = {
-    ExportForm::kOpencv, ExportForm::kRos, ExportForm::kJson, ExportForm::kZip};
+const std::vector<ExportForm> kAll = {ExportForm::kOpencv, ExportForm::kRos, ExportForm::kJson,
+                                      ExportForm::kZip};
 
 TEST(ExportFinger, RosCameraInfoHoldsTheMatricesThatItsReadersWant) {
   const Finger finger = whole_finger();
@@ -166,8 +166,8 @@ TEST(ExportFinger, TheZipHoldsEveryFileOfTheFinger) {
   const Finger finger = whole_finger();
   const fs::path from = saved(folder, finger);
   std::vector<fs::path> written;
-  const Status status = export_finger(
-      FingerSnapshot::of(from, finger).value(), kAll, folder / "out", Job(), &written);
+  const Status status = export_finger(FingerSnapshot::of(from, finger).value(), kAll,
+                                      folder / "out", Job(), &written);
   ASSERT_TRUE(status.ok()) << status.error().sentence();
   EXPECT_EQ(written.size(), 5U);
   const test::ProgramRun run = test::run_shell(std::string(test::kPython) + " -m zipfile -e '" +
@@ -192,11 +192,8 @@ TEST(ExportFinger, TheZipLeavesOutTakesThatTheFingerDoesNotUse) {
   }
   EXPECT_EQ(unused_recordings(finger, from),
             (std::vector<fs::path>{from / "bending_1.mkv", from / "bending_2.mkv"}));
-  ASSERT_TRUE(export_finger(FingerSnapshot::of(from, finger).value(),
-                            {ExportForm::kZip},
-                            folder / "out",
-                            Job(),
-                            nullptr));
+  ASSERT_TRUE(export_finger(FingerSnapshot::of(from, finger).value(), {ExportForm::kZip},
+                            folder / "out", Job(), nullptr));
   const test::ProgramRun run = test::run_shell(std::string(test::kPython) + " -m zipfile -e '" +
                                                (folder / "out/finger.zip").string() + "' '" +
                                                (folder / "unpacked").string() + "'");
@@ -229,10 +226,9 @@ TEST(ExportFinger, WhatAZipCannotHoldIsRefusedBeforeAnythingIsWritten) {
   fs::create_symlink("/dev/null", from / "device");
   refused(folder / "out", "neither a file nor a folder");
   fs::remove(from / "device");
-  EXPECT_TRUE(
-      export_finger(
-          FingerSnapshot::of(from, finger).value(), kAll, folder / "finger-out", Job(), nullptr)
-          .ok());
+  EXPECT_TRUE(export_finger(FingerSnapshot::of(from, finger).value(), kAll, folder / "finger-out",
+                            Job(), nullptr)
+                  .ok());
 }
 
 TEST(ExportFinger, StoppedItTellsWhatIsThere) {

@@ -92,7 +92,8 @@ TEST(CalibrationInputs, SpoiltValuesAreNamed) {
   EXPECT_THAT(with("[press_0, ", "[../press_0, "), HasSubstr("not an image name"));
   EXPECT_THAT(with("[press_0, ", "[\"12\", "), HasSubstr("twice"));
   EXPECT_THAT(with("[press_0, ", "["), HasSubstr("3 entries for 2 presses"));
-  EXPECT_THAT(with("excluded: [\"12\"", "excluded: [\"13\""), HasSubstr("'13' is annotated, but is not among"));
+  EXPECT_THAT(with("excluded: [\"12\"", "excluded: [\"13\""),
+              HasSubstr("'13' is annotated, but is not among"));
 }
 
 TEST(CalibrationInputs, KeysOfAnotherVersionAreKeptAndToldOf) {

@@ -18,9 +18,7 @@ using testing::HasSubstr;
 
 constexpr double kTrueRadiusMm = 4;
 
-double rim_mm(double depth_mm) {
-  return std::sqrt(depth_mm * (2 * kTrueRadiusMm - depth_mm));
-}
+double rim_mm(double depth_mm) { return std::sqrt(depth_mm * (2 * kTrueRadiusMm - depth_mm)); }
 
 /// Presses of one ball of 4 mm, from 0.3 to 1.3 mm deep, with the ball's radius as it is said.
 class Contradictions : public testing::Test {

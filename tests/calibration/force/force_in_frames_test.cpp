@@ -20,9 +20,7 @@ namespace {
 using FrameJson = nlohmann::json;
 
 /// Pushes are proportional to how the finger is bent and pushed aside.
-Eigen::Vector2d drawn_force_N(const test::Bend& bend) {
-  return {6 * bend.curl, 0.3 * bend.sway};
-}
+Eigen::Vector2d drawn_force_N(const test::Bend& bend) { return {6 * bend.curl, 0.3 * bend.sway}; }
 
 FramePtr drawn_frame(const cv::Mat& grey, int number) {
   auto frame = std::make_shared<Frame>();

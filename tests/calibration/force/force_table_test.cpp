@@ -277,11 +277,8 @@ TEST(ForceTable, TablesOfSeveralRecordingsAreOne) {
     std::string csv =
         fmt::format("frame,t_s,fx_n,fy_n,fz_n,u0,v0,u1,v1{}\n", has_blocks ? ",block" : "");
     for (int i = 0; i < 15; ++i)
-      csv += fmt::format("f{0},{0},{1},{2},0,{3},50,200,450{4}\n",
-                         i,
-                         *axis == 'x' ? i : 0,
-                         *axis == 'y' ? i : 0,
-                         100 + i,
+      csv += fmt::format("f{0},{0},{1},{2},0,{3},50,200,450{4}\n", i, *axis == 'x' ? i : 0,
+                         *axis == 'y' ? i : 0, 100 + i,
                          has_blocks ? fmt::format(",press {}", i / 5) : "");
     EXPECT_TRUE(write_file_atomically(folder / name, csv));
     return folder / name;

@@ -41,11 +41,8 @@ class DrawnPresses {
 
 /// Frames at 30 Hz from `first_s` on, six markers that move with the force, with noise, creep and a
 /// marker that is hidden now and then.
-std::vector<MarkerFrame> frames_of(const DrawnPresses& presses,
-                                   double first_s,
-                                   double seconds,
-                                   double noise_px,
-                                   std::uint64_t seed) {
+std::vector<MarkerFrame> frames_of(const DrawnPresses& presses, double first_s, double seconds,
+                                   double noise_px, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::normal_distribution<double> normal(0, noise_px);
   std::vector<MarkerFrame> frames;
@@ -59,8 +56,7 @@ std::vector<MarkerFrame> frames_of(const DrawnPresses& presses,
     frame.time_s = first_s + time_s;
     for (int m = 0; m < 6; ++m)
       frame.markers.push_back({100.0 * m + (3 + m) * (force.x() + 0.3 * crept) + normal(random),
-                               50.0 + 2 * force.y() - m * force.x() + normal(random),
-                               m != i % 97,
+                               50.0 + 2 * force.y() - m * force.x() + normal(random), m != i % 97,
                                0.1});
     frames.push_back(std::move(frame));
   }
@@ -90,10 +86,8 @@ ForceGauge gauge_of(const DrawnPresses& presses, const GaugeWorld& world, std::u
   return gauge;
 }
 
-GaugeClock settled(const std::vector<MarkerFrame>& frames,
-                   const ForceGauge& gauge,
-                   std::vector<Message>& remarks,
-                   const CollectOptions& options = {}) {
+GaugeClock settled(const std::vector<MarkerFrame>& frames, const ForceGauge& gauge,
+                   std::vector<Message>& remarks, const CollectOptions& options = {}) {
   remarks.clear();
   return estimate_gauge_clock(frames, gauge, options, remarks);
 }

@@ -19,8 +19,7 @@ ForceTraining quick_training() {
   return options;
 }
 
-TrainedForce trained_on(const ForceTable& table,
-                        const std::vector<Eigen::Vector2d>& rest,
+TrainedForce trained_on(const ForceTable& table, const std::vector<Eigen::Vector2d>& rest,
                         const ForceTraining& options) {
   auto trained = train_force(table, rest, options, Job());
   EXPECT_TRUE(trained) << trained.error().sentence();
@@ -33,8 +32,7 @@ struct NewRows {
   Eigen::Vector2d by_axis_N = {0, 0};
 };
 
-NewRows on_new_rows(const TrainedForce& trained,
-                    const ForceTable& table,
+NewRows on_new_rows(const TrainedForce& trained, const ForceTable& table,
                     const std::vector<Eigen::Vector2d>& rest) {
   NewRows result;
   const auto inputs = force_inputs(table, rest);
@@ -148,8 +146,8 @@ TEST(TrainForce, IntervalsHoldOn200Worlds) {
     covered_90 += found.covered_90 / kWorlds, covered_95 += found.covered_95 / kWorlds;
     own_95 += trained.covered_95.mean() / kWorlds;
   }
-  std::cout << fmt::format(
-      "covered 90: {:.4f}, 95: {:.4f}, own 95: {:.4f}\n", covered_90, covered_95, own_95);
+  std::cout << fmt::format("covered 90: {:.4f}, 95: {:.4f}, own 95: {:.4f}\n", covered_90,
+                           covered_95, own_95);
   EXPECT_GT(covered_90, 0.88);
   EXPECT_LT(covered_90, 0.93);
   EXPECT_GT(covered_95, 0.93);

@@ -26,16 +26,12 @@ double mapping_error(const MappingParameters& parameters, const Layer& layer) {
   return worst;
 }
 
-std::vector<Press> flat_presses(const Layer& layer,
-                                const Contact& contact,
-                                int count,
+std::vector<Press> flat_presses(const Layer& layer, const Contact& contact, int count,
                                 std::mt19937& random) {
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
   std::vector<Press> presses;
   for (int i = 0; i < count; ++i) {
-    const Ball ball{110 + 180 * uniform(random),
-                    90 + 120 * uniform(random),
-                    4.0,
+    const Ball ball{110 + 180 * uniform(random), 90 + 120 * uniform(random), 4.0,
                     count == 1 ? 1.0 : 0.4 + 0.8 * (i + uniform(random)) / count};
     presses.push_back(
         make_press(flat_scene(), layer, contact, {ball}, 1.0, random, fmt::format("p{}", i)).press);
@@ -54,10 +50,8 @@ Calibration calibration_of(const std::vector<Press>& presses,
 TEST(Calibrate, SixPressesGiveTheMappingWhateverTheSkinDoesAtTheRim) {
   std::mt19937 random(21);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
-  for (const Contact& contact : {Contact{Skin::kSharp, 0, 0},
-                                 Contact{Skin::kSmooth, 0.1, 0.03},
-                                 Contact{Skin::kSmooth, 0.2, 0},
-                                 Contact{Skin::kTail, 0.85, 0},
+  for (const Contact& contact : {Contact{Skin::kSharp, 0, 0}, Contact{Skin::kSmooth, 0.1, 0.03},
+                                 Contact{Skin::kSmooth, 0.2, 0}, Contact{Skin::kTail, 0.85, 0},
                                  Contact{Skin::kHertz, 0, 0.03}}) {
     const Layer layer{0.3 + 1.2 * uniform(random), 0.05 * uniform(random)};
     const Calibration calibration = calibration_of(flat_presses(layer, contact, 6, random));
@@ -85,13 +79,9 @@ TEST(Calibrate, FaintPressesOnAStronglyScatteringLayerCount) {
   std::vector<Press> presses;
   std::vector<Eigen::Vector3d> centres_mm;
   for (int i = 0; i < 6; ++i) {
-    const Made made = make_press(flat_scene(),
-                                 layer,
-                                 {},
-                                 {{120.0 + 30 * i, 100.0 + 20 * i, 4.0, depths_mm[i]}},
-                                 1.0,
-                                 random,
-                                 fmt::format("p{}", i));
+    const Made made =
+        make_press(flat_scene(), layer, {}, {{120.0 + 30 * i, 100.0 + 20 * i, 4.0, depths_mm[i]}},
+                   1.0, random, fmt::format("p{}", i));
     presses.push_back(made.press);
     centres_mm.push_back(made.centre_mm);
   }
@@ -132,13 +122,9 @@ TEST(Calibrate, BallsOfSeveralSizesGiveOneMapping) {
   std::vector<Press> presses;
   std::vector<Eigen::Vector3d> centres_mm;
   for (int i = 0; i < 4; ++i) {
-    Made made = make_press(scene,
-                           layer,
-                           {Skin::kHertz, 0, 0.02},
-                           {{130.0 + 40 * i, 110.0 + 25 * i, radii_mm[i], 0.5 + 0.15 * i}},
-                           1.0,
-                           random,
-                           fmt::format("p{}", i));
+    Made made = make_press(scene, layer, {Skin::kHertz, 0, 0.02},
+                           {{130.0 + 40 * i, 110.0 + 25 * i, radii_mm[i], 0.5 + 0.15 * i}}, 1.0,
+                           random, fmt::format("p{}", i));
     presses.push_back(std::move(made.press));
     centres_mm.push_back(made.centre_mm);
   }
@@ -161,8 +147,7 @@ TEST(Calibrate, OnePressSaysWhatItCannotKnow) {
       calibration_of(flat_presses(layer, {Skin::kHertz, 0, 0.02}, 1, random));
   EXPECT_LT(mapping_error(calibration.mapping, layer), 0.05);
   EXPECT_EQ(calibration.held_out_mm, 0.0);
-  EXPECT_TRUE(std::any_of(calibration.remarks.begin(),
-                          calibration.remarks.end(),
+  EXPECT_TRUE(std::any_of(calibration.remarks.begin(), calibration.remarks.end(),
                           [](const Message& r) { return r.english().find("one press") == 0; }));
 }
 
@@ -176,13 +161,9 @@ TEST(Calibrate, InclinedFacesTellWhichThicknessCounts) {
     const double inclines[] = {-24.0, 0.0, 12.0, 28.0};
     for (int i = 0; i < 4; ++i) {
       last = finger_scene(40.0, inclines[i]);
-      presses.push_back(make_press(*last,
-                                   layer,
-                                   {},
-                                   {{420.0 + 30 * i, 230.0 + 25 * i, 4.0, 0.5 + 0.2 * i}},
-                                   1.0,
-                                   random,
-                                   fmt::format("p{}", i))
+      presses.push_back(make_press(*last, layer, {},
+                                   {{420.0 + 30 * i, 230.0 + 25 * i, 4.0, 0.5 + 0.2 * i}}, 1.0,
+                                   random, fmt::format("p{}", i))
                             .press);
     }
     const auto result = calibrate(presses, last->camera, last->face, {}, Job{});
@@ -200,15 +181,11 @@ TEST(Calibrate, UnevenLightIsSeenAndAnsweredAndEvenLightIsLeftAlone) {
     layer.uneven = uneven;
     const MadeScene scene = flat_scene();
     std::vector<Press> presses;
-    const double places[][2] = {
-        {90, 80}, {310, 90}, {200, 150}, {90, 220}, {310, 215}, {150, 110}, {260, 190}};
+    const double places[][2] = {{90, 80},   {310, 90},  {200, 150}, {90, 220},
+                                {310, 215}, {150, 110}, {260, 190}};
     for (int i = 0; i < 7; ++i)
-      presses.push_back(make_press(scene,
-                                   layer,
-                                   {},
-                                   {{places[i][0], places[i][1], 4.0, 0.4 + 0.1 * i}},
-                                   1.0,
-                                   random,
+      presses.push_back(make_press(scene, layer, {},
+                                   {{places[i][0], places[i][1], 4.0, 0.4 + 0.1 * i}}, 1.0, random,
                                    fmt::format("p{}", i))
                             .press);
     const Calibration calibration = calibration_of(presses);
@@ -227,8 +204,7 @@ TEST(Calibrate, UnevenLightIsSeenAndAnsweredAndEvenLightIsLeftAlone) {
         worst = std::max(worst, std::abs(told - layer.depth_at(x) * factor));
       }
     EXPECT_LT(worst, 0.02) << uneven.transpose();
-    EXPECT_EQ(std::any_of(calibration.remarks.begin(),
-                          calibration.remarks.end(),
+    EXPECT_EQ(std::any_of(calibration.remarks.begin(), calibration.remarks.end(),
                           [](const Message& r) {
                             return r.english().find("varies over the face") != std::string::npos;
                           }),
@@ -247,9 +223,8 @@ TEST(Calibrate, OrderOfPressesDoesNotMatter) {
   EXPECT_EQ(first.mapping.b, second.mapping.b);
   EXPECT_EQ(first.mapping.chebyshev, second.mapping.chebyshev);
   for (const BallFit& ball : second.balls) {
-    const auto same = std::find_if(first.balls.begin(), first.balls.end(), [&](const BallFit& b) {
-      return b.press == ball.press;
-    });
+    const auto same = std::find_if(first.balls.begin(), first.balls.end(),
+                                   [&](const BallFit& b) { return b.press == ball.press; });
     ASSERT_NE(same, first.balls.end());
     EXPECT_EQ(same->centre_mm, ball.centre_mm);
   }
@@ -349,11 +324,10 @@ TEST(JointFit, DerivativesAgreeWithDifferences) {
         EXPECT_NEAR(by_centre[k], slope, 1e-7);
       }
     }
-    for (const CurveFamily family : {CurveFamily{MappingKind::kMoebius, 2},
-                                     CurveFamily{MappingKind::kPolynomial, 5},
-                                     CurveFamily{MappingKind::kMoebius, 3},
-                                     CurveFamily{MappingKind::kMoebius, 2, true},
-                                     CurveFamily{MappingKind::kPolynomial, 3, true}}) {
+    for (const CurveFamily family :
+         {CurveFamily{MappingKind::kMoebius, 2}, CurveFamily{MappingKind::kPolynomial, 5},
+          CurveFamily{MappingKind::kMoebius, 3}, CurveFamily{MappingKind::kMoebius, 2, true},
+          CurveFamily{MappingKind::kPolynomial, 3, true}}) {
       MappingCurve curve(family, 0.6);
       const Eigen::Vector2d place(uniform(random), uniform(random));
       for (double& value : curve.values()) value = 1.0 + 0.5 * uniform(random);
@@ -362,15 +336,13 @@ TEST(JointFit, DerivativesAgreeWithDifferences) {
       EXPECT_TRUE(std::isfinite(curve.depth_mm(x, place, gradient.data())));
       constexpr double kStep = 1e-6;
       EXPECT_NEAR(curve.slope_mm(x),
-                  (curve.depth_mm(x + kStep) - curve.depth_mm(x - kStep)) / (2.0 * kStep),
-                  1e-7);
+                  (curve.depth_mm(x + kStep) - curve.depth_mm(x - kStep)) / (2.0 * kStep), 1e-7);
       for (int k = 0; k < family.numbers(); ++k) {
         MappingCurve up = curve, down = curve;
         up.values()[k] += kStep;
         down.values()[k] -= kStep;
         EXPECT_NEAR(gradient[static_cast<std::size_t>(k)],
-                    (up.depth_mm(x, place) - down.depth_mm(x, place)) / (2.0 * kStep),
-                    1e-7);
+                    (up.depth_mm(x, place) - down.depth_mm(x, place)) / (2.0 * kStep), 1e-7);
       }
     }
   }

@@ -17,8 +17,8 @@ using namespace made;
 Result<SearchedCircle> searched(const Press& press, const MadeScene& scene) {
   const auto dark = dark_circle(press, scene.camera);
   if (!dark) return dark.error();
-  return search_circle(
-      press, *dark, samples_inside(press, scene.face, *dark), scene.camera, scene.face);
+  return search_circle(press, *dark, samples_inside(press, scene.face, *dark), scene.camera,
+                       scene.face);
 }
 
 /// Skin that lies on the ball up to the rim, and hardly any noise: what the paper takes for
@@ -94,13 +94,8 @@ TEST(CircleSearch, TheMappingHasNoConstant) {
   const Layer layer{0.6, 0.02};
   std::vector<Press> presses;
   for (const double depth_mm : {0.5, 0.7, 0.9})
-    presses.push_back(make_press(scene,
-                                 layer,
-                                 {},
-                                 {{400 + 100 * depth_mm, 290, 4.0, depth_mm}},
-                                 0.02,
-                                 random,
-                                 fmt::format("p{}", depth_mm))
+    presses.push_back(make_press(scene, layer, {}, {{400 + 100 * depth_mm, 290, 4.0, depth_mm}},
+                                 0.02, random, fmt::format("p{}", depth_mm))
                           .press);
   CalibrationSettings settings;
   settings.method = CalibrationMethod::kPaper;

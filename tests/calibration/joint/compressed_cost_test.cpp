@@ -26,8 +26,7 @@ class Linear final : public ceres::CostFunction {
     set_num_residuals(rows);
     *mutable_parameter_block_sizes() = {3, 2};
   }
-  bool Evaluate(double const* const* parameters,
-                double* residuals,
+  bool Evaluate(double const* const* parameters, double* residuals,
                 double** jacobians) const override {
     Eigen::Map<Eigen::VectorXd>(residuals, num_residuals()) =
         r0_ + a_ * Eigen::Map<const Eigen::Vector3d>(parameters[0]) +

@@ -113,8 +113,8 @@ struct LiftedWorld {
     for (int i = 0; i < kPresses; ++i) {
       const double pressed = 0.35 + 0.14 * i + 0.05 * uniform(random);
       const Membrane membrane(radius, pressed, lift_mm);
-      const Eigen::Vector3d centre(
-          0.3 * uniform(random), 0.3 * uniform(random), 40.0 + membrane.height());
+      const Eigen::Vector3d centre(0.3 * uniform(random), 0.3 * uniform(random),
+                                   40.0 + membrane.height());
       PressSamples press;
       press.ball_radius_mm = radius;
       press.block_px = 1;
@@ -153,10 +153,9 @@ TEST(LiftOff, IsThatOfTheMappingWhereOnlyABallIsFree) {
   for (const bool was_free : {false, true}) {
     options.free_lift = was_free;
     for (std::size_t i = 0; i < world.samples.size(); ++i) {
-      const JointFit fit = fit_jointly({&world.samples[i]},
-                                       {curve, {world.input.centres_mm[i]}, false, kLiftMm},
-                                       options,
-                                       Job{});
+      const JointFit fit =
+          fit_jointly({&world.samples[i]}, {curve, {world.input.centres_mm[i]}, false, kLiftMm},
+                      options, Job{});
       EXPECT_TRUE(fit.converged);
       EXPECT_EQ(fit.lift_mm, kLiftMm);
       EXPECT_LT((fit.centres_mm[0] - world.centres_mm[i]).norm(), 0.004) << i;
@@ -177,11 +176,8 @@ TEST(LiftOff, DoesNotScaleTheMapping) {
     const double x = 0.9 * choice->fit.curve.x_max();
     const double truth = 2.6 * x / (1.0 + 0.7 * x);
     off.push_back(std::abs(choice->fit.curve.depth_mm(x) / truth - 1.0));
-    std::printf("[ figures  ] lift-off %.3f mm: scale %.4f, zone %.2f, told %.3f mm\n",
-                lift,
-                choice->fit.curve.depth_mm(x) / truth,
-                choice->options.zone,
-                choice->fit.lift_mm);
+    std::printf("[ figures  ] lift-off %.3f mm: scale %.4f, zone %.2f, told %.3f mm\n", lift,
+                choice->fit.curve.depth_mm(x) / truth, choice->options.zone, choice->fit.lift_mm);
   }
   EXPECT_LT(upper_median(off), 0.01);
   EXPECT_LT(*std::max_element(off.begin(), off.end()), 0.03);

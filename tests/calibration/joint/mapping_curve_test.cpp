@@ -55,10 +55,9 @@ TEST(MappingCurve, WithoutAbsorptionIsTheMoebiusCurve) {
 TEST(MappingCurve, IsTurnedRoundWithItsDerivatives) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
-  for (const CurveFamily family : {CurveFamily{MappingKind::kMoebius, 2},
-                                   CurveFamily{MappingKind::kMoebius, 3},
-                                   CurveFamily{MappingKind::kMoebius, 3, true},
-                                   CurveFamily{MappingKind::kPolynomial, 4}})
+  for (const CurveFamily family :
+       {CurveFamily{MappingKind::kMoebius, 2}, CurveFamily{MappingKind::kMoebius, 3},
+        CurveFamily{MappingKind::kMoebius, 3, true}, CurveFamily{MappingKind::kPolynomial, 4}})
     for (int round = 0; round < 20; ++round) {
       MappingCurve curve(family, 0.6);
       curve.values().setConstant(0.1);
@@ -110,13 +109,9 @@ double scale_of(const Layer& layer, const Contact& contact, double noise, unsign
   const MadeScene scene = flat_scene();
   std::vector<Press> presses;
   for (int i = 0; i < 6; ++i)
-    presses.push_back(make_press(scene,
-                                 layer,
-                                 contact,
+    presses.push_back(make_press(scene, layer, contact,
                                  {Ball{130.0 + 28.0 * i, 110.0 + 16.0 * i, 4.0, 0.45 + 0.13 * i}},
-                                 noise,
-                                 random,
-                                 fmt::format("p{}", i))
+                                 noise, random, fmt::format("p{}", i))
                           .press);
   const auto done = calibrate(presses, scene.camera, scene.face, {}, Job{});
   EXPECT_TRUE(done.ok()) << (done ? "" : done.error().sentence());
@@ -124,11 +119,8 @@ double scale_of(const Layer& layer, const Contact& contact, double noise, unsign
   const auto mapping = Mapping::create(done->mapping).value();
   double ratio = 0;
   for (int i = 3; i <= 10; ++i) ratio += mapping.depth_mm(layer.difference_at(0.1 * i)) / (0.8 * i);
-  std::printf("[ figures  ] s %.1f k %.2f, noise %.0f: depth reads %.4f of what it is\n",
-              layer.s,
-              layer.k,
-              noise,
-              ratio);
+  std::printf("[ figures  ] s %.1f k %.2f, noise %.0f: depth reads %.4f of what it is\n", layer.s,
+              layer.k, noise, ratio);
   return ratio;
 }
 
@@ -139,8 +131,8 @@ TEST(ScaleOfDepth, DoesNotDependOnTheNoise) {
     double mean = 0;
     for (int run = 0; run < runs; ++run)
       mean += scale_of({0.6, 0.02}, {Skin::kTail, 0.8}, noise, 5 + run) / runs;
-    std::printf(
-        "[ figures  ] noise %.0f: depth reads %.4f of what it is on average\n", noise, mean);
+    std::printf("[ figures  ] noise %.0f: depth reads %.4f of what it is on average\n", noise,
+                mean);
     EXPECT_NEAR(mean, 1.0, 0.02) << noise;
   }
 }

@@ -29,13 +29,9 @@ std::vector<Press> ball_presses(int told, double sd_mm, std::mt19937& random, in
   std::vector<Press> presses;
   for (int i = 0; i < count; ++i) {
     const double depth_mm = 0.45 + 0.78 * i / count;
-    presses.push_back(make_press(scene,
-                                 kLayer,
-                                 {Skin::kTail, 0.75},
-                                 {Ball{130.0 + 28.0 * i, 110.0 + 16.0 * i, 4.0, depth_mm}},
-                                 kNoise,
-                                 random,
-                                 fmt::format("p{}", i))
+    presses.push_back(make_press(scene, kLayer, {Skin::kTail, 0.75},
+                                 {Ball{130.0 + 28.0 * i, 110.0 + 16.0 * i, 4.0, depth_mm}}, kNoise,
+                                 random, fmt::format("p{}", i))
                           .press);
     if (i >= count - told) presses.back().given_depth = {depth_mm + sd_mm * normal(random), sd_mm};
   }
@@ -60,8 +56,7 @@ Scale scale_of(const std::vector<Press>& presses) {
   const auto read = [&](double depth_mm) {
     return mapping.depth_mm(kLayer.difference_at(depth_mm));
   };
-  return {read(kDepth) / kDepth,
-          mapping.depth_sd_mm(x) / kDepth,
+  return {read(kDepth) / kDepth, mapping.depth_sd_mm(x) / kDepth,
           (read(0.9) - read(0.3)) / (0.9 - 0.3)};
 }
 
@@ -84,10 +79,7 @@ Spread spread_of(const char* name, const Make& make) {
   spread.between = std::sqrt(spread.between);
   std::printf(
       "[ figures  ] %s: off by %.4f rms at 0.8 mm, z^2 %.2f; by %.4f between 0.3 and 0.9 mm\n",
-      name,
-      spread.error,
-      spread.z2,
-      spread.between);
+      name, spread.error, spread.z2, spread.between);
   return spread;
 }
 
@@ -176,9 +168,7 @@ TEST(SteppedPunch, IsReadByTheMappingOnInclinedFacesToo) {
     std::printf(
         "[ figures  ] face inclined by %.0f deg: a step of 0.5 mm reads %+.4f mm too high, "
         "at most %.1f sd\n",
-        incline,
-        sum,
-        most);
+        incline, sum, most);
     EXPECT_NEAR(sum, 0.0, 0.006) << incline;
     EXPECT_LT(most, 3.0) << incline;
   }
@@ -208,10 +198,7 @@ TEST(SteppedPunch, AloneIsNoCalibration) {
   std::mt19937 random(8);
   const MadeScene scene = flat_scene();
   const auto done = calibrate({make_punch_press(scene, kLayer, {200, 150}, 1.0, random, "step")},
-                              scene.camera,
-                              scene.face,
-                              {},
-                              Job{});
+                              scene.camera, scene.face, {}, Job{});
   ASSERT_FALSE(done.ok());
   EXPECT_THAT(done.error().sentence(), HasSubstr("pressing a ball at least once as well"));
 }
@@ -252,8 +239,7 @@ TEST(MeasuredCosts, HaveTheDerivativesThatDifferencesShow) {
         up[k] += kStep;
         down[k] -= kStep;
         // A step's planes turn with the depths, which counts a hundredth of the whole.
-        EXPECT_NEAR(gradient[k],
-                    (value(up) - value(down)) / (2 * kStep),
+        EXPECT_NEAR(gradient[k], (value(up) - value(down)) / (2 * kStep),
                     1e-6 + 0.02 * gradient.cwiseAbs().maxCoeff());
       }
     }

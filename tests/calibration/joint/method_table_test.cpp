@@ -19,13 +19,9 @@ std::vector<Press> presses_on(const MadeScene& scene, const Contact& contact) {
   std::mt19937 random(61);
   std::vector<Press> presses;
   for (int i = 0; i < 4; ++i)
-    presses.push_back(make_press(scene,
-                                 kLayer,
-                                 contact,
-                                 {{130.0 + 40 * i, 110.0 + 25 * i, 4.0, 0.5 + 0.15 * i}},
-                                 1.0,
-                                 random,
-                                 fmt::format("p{}", i))
+    presses.push_back(make_press(scene, kLayer, contact,
+                                 {{130.0 + 40 * i, 110.0 + 25 * i, 4.0, 0.5 + 0.15 * i}}, 1.0,
+                                 random, fmt::format("p{}", i))
                           .press);
   return presses;
 }

@@ -58,8 +58,8 @@ DrawnWorld drawn_world(bool flat, int number) {
     world.scenes.push_back(flat ? flat_scene() : finger_scene(between(35, 50), between(-25, 25)));
     const Ball ball = flat ? Ball{between(110, 290), between(90, 210), radius_mm, depth_mm}
                            : Ball{between(380, 580), between(230, 310), radius_mm, depth_mm};
-    world.presses.push_back(make_press(
-        world.scenes.back(), world.layer, contact, {ball}, 1.0, random, fmt::format("p{}", i)));
+    world.presses.push_back(make_press(world.scenes.back(), world.layer, contact, {ball}, 1.0,
+                                       random, fmt::format("p{}", i)));
   }
   return world;
 }
@@ -74,8 +74,8 @@ OnNewPress on_new_press(const Calibration& calibration, const Made& made, const 
   constexpr double kInner = 0.65;
   constexpr int kSamples =
       400;  // as presses left out are compared: the noise of a mean goes with it
-  PressSamples press = sample_around(
-      made.press, scene.face, made.centre_mm, 1.06 * made.press.ball_radius_mm, kSamples);
+  PressSamples press = sample_around(made.press, scene.face, made.centre_mm,
+                                     1.06 * made.press.ball_radius_mm, kSamples);
   set_unit_positions(
       {calibration.mapping.variation.middle_mm, calibration.mapping.variation.half_mm}, &press);
   JointOptions options;
@@ -149,24 +149,15 @@ TEST_P(Prediction, SaysTheErrorOnNewPressesAndKeepsMappingAndBallsClose) {
     std::printf(
         "[ figures  ] %s %d: shape said %.4f, is %.4f; depth said %.4f, is %.4f; mapping %.4f, "
         "balls %.4f mm\n",
-        name,
-        i,
-        one.held_out_mm,
-        one.new_shape_mm,
-        one.expected_mm,
-        one.new_depth_mm,
-        one.mapping_mm,
-        one.centre_mm);
+        name, i, one.held_out_mm, one.new_shape_mm, one.expected_mm, one.new_depth_mm,
+        one.mapping_mm, one.centre_mm);
     // Six presses left out and six new ones: each mean is a draw of its own. All worlds together
     // have to agree better.
     EXPECT_NEAR(one.held_out_mm / one.new_shape_mm, 1.0, 0.4) << name << i;
   }
   std::printf(
       "[ figures  ] %s: shape %.3f of what it is, depth %.3f; worst mapping %.4f, ball %.4f mm\n",
-      name,
-      mean.held_out_mm / mean.new_shape_mm,
-      mean.expected_mm / mean.new_depth_mm,
-      mapping_mm,
+      name, mean.held_out_mm / mean.new_shape_mm, mean.expected_mm / mean.new_depth_mm, mapping_mm,
       centre_mm);
   EXPECT_NEAR(mean.held_out_mm / mean.new_shape_mm, 1.0, runs < kMany ? 0.15 : 0.1) << name;
   EXPECT_NEAR(std::log(mean.expected_mm / mean.new_depth_mm), 0.0, runs < kMany ? 0.7 : 0.25)

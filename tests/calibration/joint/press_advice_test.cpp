@@ -13,14 +13,9 @@ namespace {
 
 using namespace made;
 
-Press pressed(
-    const Layer& layer, double u, double v, double depth_mm, std::mt19937& random, int number) {
-  return make_press(flat_scene(),
-                    layer,
-                    {},
-                    {{u, v, 4.0, depth_mm}},
-                    1.0,
-                    random,
+Press pressed(const Layer& layer, double u, double v, double depth_mm, std::mt19937& random,
+              int number) {
+  return make_press(flat_scene(), layer, {}, {{u, v, 4.0, depth_mm}}, 1.0, random,
                     fmt::format("p{}", number))
       .press;
 }

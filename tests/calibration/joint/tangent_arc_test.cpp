@@ -75,12 +75,8 @@ double traced_arc_deg(const MadeScene& scene, const RayTracer& tracer) {
 
 /// A press as the camera sees it: brightness follows the layer's thickness on the line of sight (or
 /// along z), measured in parts of what it is there untouched.
-Press traced_press(const MadeScene& scene,
-                   const RayTracer& tracer,
-                   const Layer& layer,
-                   bool along_z,
-                   double noise,
-                   std::mt19937& random) {
+Press traced_press(const MadeScene& scene, const RayTracer& tracer, const Layer& layer,
+                   bool along_z, double noise, std::mt19937& random) {
   const cv::Size size = scene.camera.size();
   std::normal_distribution<double> normal;
   cv::Mat x(size, CV_32FC1, cv::Scalar(NAN));
@@ -142,8 +138,8 @@ TEST(TangentArc, NoneWhereTheFaceIsSeenSteeplyFromAbove) {
   EXPECT_TRUE(occluding_horizon(flat.shape, {10.0, 7.0, 23.0}, kRadiusMm, 1.0).empty());
   const MadeScene scene = finger_scene(60.0, 34.0);  // b = 56 degrees: 1 - h/R must be below 0.56
   for (const double depth : {0.3, 0.8, 1.2})
-    EXPECT_TRUE(occluding_horizon(
-                    scene.shape, RayTracer(scene, 479.5, 269.5, depth).centre_mm(), kRadiusMm, 1.0)
+    EXPECT_TRUE(occluding_horizon(scene.shape, RayTracer(scene, 479.5, 269.5, depth).centre_mm(),
+                                  kRadiusMm, 1.0)
                     .empty())
         << depth;
 }
@@ -171,12 +167,8 @@ TEST(TangentArc, JumpsAreFoundToAPartOfAPixel) {
     // At the arc's ends, where the jump ends, single points may be a pixel off: the fit is robust.
     const double middle = upper_median(sizes_px);
     const double worst = *std::max_element(sizes_px.begin(), sizes_px.end());
-    std::printf("depth %.1f: %.0f degrees, median %.2f px, worst %.2f px, mean %+.2f px\n",
-                depth,
-                arc.arc_deg,
-                middle,
-                worst,
-                mean);
+    std::printf("depth %.1f: %.0f degrees, median %.2f px, worst %.2f px, mean %+.2f px\n", depth,
+                arc.arc_deg, middle, worst, mean);
     EXPECT_LT(middle, 0.3) << depth;
     EXPECT_LT(worst, 2.0) << depth;
     EXPECT_LT(std::abs(mean), 0.4) << depth;
@@ -228,9 +220,9 @@ TEST(TangentArc, EveryCostAgreesWithDifferences) {
     weighted.plane = {{0.0, 0.0, depth - 3.0}, Eigen::Vector3d::UnitZ()};
     const OutlineCost outlines(weighted);
     for (const MappingAlong along : {MappingAlong::kZ, MappingAlong::kNormal})
-      for (const CurveFamily family : {CurveFamily{MappingKind::kMoebius, 2},
-                                       CurveFamily{MappingKind::kMoebius, 3},
-                                       CurveFamily{MappingKind::kPolynomial, 4}}) {
+      for (const CurveFamily family :
+           {CurveFamily{MappingKind::kMoebius, 2}, CurveFamily{MappingKind::kMoebius, 3},
+            CurveFamily{MappingKind::kPolynomial, 4}}) {
         MappingCurve curve(family, 0.6);
         for (double& value : curve.values()) value = 0.3 + 0.1 * uniform(random);
         curve.values()[0] += 2.7;  // so that it rises as far as the ball is deep
@@ -266,8 +258,8 @@ TEST(TangentArc, EveryCostAgreesWithDifferences) {
               down[b][k] -= kStep;
               const auto high = evaluate(up, nullptr), low = evaluate(down, nullptr);
               for (std::size_t i = 0; i < high.size(); ++i)
-                EXPECT_NEAR(
-                    slopes[b][i * blocks[b].size() + k], (high[i] - low[i]) / (2.0 * kStep), 1e-7)
+                EXPECT_NEAR(slopes[b][i * blocks[b].size() + k], (high[i] - low[i]) / (2.0 * kStep),
+                            1e-7)
                     << "block " << b << ", unknown " << k;
             }
         }
@@ -302,11 +294,8 @@ TEST(TangentArc, OutlinesJoinTheFitOfSteepPressesAndAreReported) {
       const BallFit& ball = calibration.balls[i];
       EXPECT_GE(ball.tangent_arc_deg, 30.0);
       const Eigen::Vector3d off = ball.centre_mm - truth[i];
-      std::printf("arc %.0f degrees, centre off by (%+.3f %+.3f %+.3f) mm\n",
-                  ball.tangent_arc_deg,
-                  off.x(),
-                  off.y(),
-                  off.z());
+      std::printf("arc %.0f degrees, centre off by (%+.3f %+.3f %+.3f) mm\n", ball.tangent_arc_deg,
+                  off.x(), off.y(), off.z());
       // The outline holds the ball across sight. Along it brightness has to, which follows z in one
       // of the two worlds only.
       EXPECT_LT(off.head<2>().norm(), 0.07);
@@ -320,13 +309,8 @@ TEST(TangentArc, PressesWithoutAnOutlineReportNone) {
   const MadeScene scene = finger_scene(40.0, 20.0);
   std::vector<Press> presses;
   for (const double depth : {0.5, 0.8, 1.1})
-    presses.push_back(make_press(scene,
-                                 {},
-                                 {},
-                                 {{400.0 + 80.0 * depth, 260.0, 4.0, depth}},
-                                 1.0,
-                                 random,
-                                 std::to_string(depth))
+    presses.push_back(make_press(scene, {}, {}, {{400.0 + 80.0 * depth, 260.0, 4.0, depth}}, 1.0,
+                                 random, std::to_string(depth))
                           .press);
   const auto result = calibrate(presses, scene.camera, scene.face, {}, Job{});
   ASSERT_TRUE(result.ok()) << result.error().sentence();

@@ -158,9 +158,8 @@ TEST(CalibrateLens, MissingPlacesAreNamed) {
   auto scene = usual_scene(12, 60);
   std::vector<BoardView> left;
   for (const BoardView& view : scene.views)
-    if (std::all_of(view.pixels.begin(), view.pixels.end(), [](const Eigen::Vector2d& pixel) {
-          return pixel.x() < 400;
-        }))
+    if (std::all_of(view.pixels.begin(), view.pixels.end(),
+                    [](const Eigen::Vector2d& pixel) { return pixel.x() < 400; }))
       left.push_back(view);
   ASSERT_GE(left.size(), 8U);
   const LensCalibration found = calibrated(left);
@@ -246,10 +245,7 @@ TEST(RealBoards, FisheyeFocalLengthIsThePublishedOne) {
   const auto found = calibrate_lens(views->views, views->size, settings, {});
   ASSERT_TRUE(found) << found.error().sentence();
   std::printf("[ figures  ] real fisheye boards: %zu views, fx %.2f +- %.2f px, corners %.3f px\n",
-              found->used.size(),
-              found->fit.lens.fx_px,
-              found->focal_sd_px(),
-              found->fit.sigma_px);
+              found->used.size(), found->fit.lens.fx_px, found->focal_sd_px(), found->fit.sigma_px);
   // Published without an uncertainty; ours must cover it.
   EXPECT_NEAR(found->fit.lens.fx_px, 284.3, 3 * found->focal_sd_px());
   EXPECT_NEAR(found->fit.lens.fx_px, 284.3, 0.01 * 284.3);

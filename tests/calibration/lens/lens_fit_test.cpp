@@ -30,9 +30,9 @@ TEST(ViewCost, ProjectsAsTheCameraDoes) {
     const auto scene = board_scene(camera, chessboard(), 5, 40, 0, random);
     for (std::size_t i = 0; i < scene.views.size(); ++i)
       for (std::size_t k = 0; k < scene.views[i].pixels.size(); ++k) {
-        const auto seen = project_by(model,
-                                     {numbers.data(), static_cast<std::size_t>(numbers.size())},
-                                     scene.poses[i](scene.views[i].board_mm[k]));
+        const auto seen =
+            project_by(model, {numbers.data(), static_cast<std::size_t>(numbers.size())},
+                       scene.poses[i](scene.views[i].board_mm[k]));
         ASSERT_TRUE(seen);
         EXPECT_LT((seen->pixel - scene.views[i].pixels[k]).norm(), 1e-10);
       }

@@ -34,11 +34,8 @@ Board board_of(BoardPattern pattern) {
 
 /// Painted as the pattern is. `uneven`: by which part the light grows from the board's middle to
 /// its right edge.
-cv::Mat picture_of(const BoardPainter& painter,
-                   const Board& board,
-                   const BoardPose& pose,
-                   std::uint64_t seed,
-                   double uneven = 0) {
+cv::Mat picture_of(const BoardPainter& painter, const Board& board, const BoardPose& pose,
+                   std::uint64_t seed, double uneven = 0) {
   const auto ink = [&](double x, double y) {
     const double light = 1 + uneven * (x - 14) / 14;
     return light * (board.pattern == BoardPattern::kDots ? made::dots_ink(board, kDotPart, x, y)
@@ -126,12 +123,7 @@ TEST(RenderedBoards, ALensIsAsGoodAsItSays) {
     std::printf(
         "[ figures  ] %s: normalised squared error %.2f +- %.2f in %d runs; places off by "
         "%.4f px rms, on average by (%.4f, %.4f)\n",
-        name,
-        figures.nees(),
-        figures.sd(),
-        figures.count,
-        places.rms(),
-        places.mean().x(),
+        name, figures.nees(), figures.sd(), figures.count, places.rms(), places.mean().x(),
         places.mean().y());
     EXPECT_GE(figures.count, 0.9 * runs) << name;
     EXPECT_LT(places.mean().norm(), 0.002) << name;
@@ -161,8 +153,7 @@ TEST(RenderedBoards, UnevenLightDoesNotMoveDots) {
   }
   ASSERT_GE(places.count, 3 * 48);
   std::printf("[ figures  ] dots, 40 %% more light on one side: off by %.4f px rms, mean %.4f\n",
-              places.rms(),
-              places.mean().norm());
+              places.rms(), places.mean().norm());
   EXPECT_LT(places.mean().norm(), 0.004);
   EXPECT_LT(places.rms(), 0.012);
 }
@@ -197,10 +188,7 @@ TEST(RenderedBoards, TheCornersWindowDoesNotMoveThem) {
         std::vector<cv::Point2f> corner{
             cv::Point2f(static_cast<float>(found[k].x()), static_cast<float>(found[k].y()))};
         const int half = std::max(2, static_cast<int>(kParts[p] * least_distance(truth, k)));
-        cv::cornerSubPix(image,
-                         corner,
-                         {half, half},
-                         {-1, -1},
+        cv::cornerSubPix(image, corner, {half, half}, {-1, -1},
                          {cv::TermCriteria::EPS + cv::TermCriteria::COUNT, 100, 1e-4});
         others[p].add(Eigen::Vector2d(corner[0].x, corner[0].y) - truth[k]);
       }
@@ -209,14 +197,12 @@ TEST(RenderedBoards, TheCornersWindowDoesNotMoveThem) {
   double best = 1e9;
   for (std::size_t p = 0; p < kParts.size(); ++p) {
     std::printf("[ figures  ] corners, half window %.2f of the distance: rms %.4f px, mean %.4f\n",
-                kParts[p],
-                others[p].rms(),
-                others[p].mean().norm());
+                kParts[p], others[p].rms(), others[p].mean().norm());
     EXPECT_LT(others[p].mean().norm(), 0.006) << kParts[p];
     best = std::min(best, others[p].rms());
   }
-  std::printf(
-      "[ figures  ] corners, ours: rms %.4f px, mean %.4f\n", ours.rms(), ours.mean().norm());
+  std::printf("[ figures  ] corners, ours: rms %.4f px, mean %.4f\n", ours.rms(),
+              ours.mean().norm());
   EXPECT_LT(ours.mean().norm(), 0.004);
   EXPECT_LT(ours.rms(), 1.4 * best);
 }

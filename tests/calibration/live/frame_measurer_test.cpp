@@ -16,9 +16,7 @@ using test::FlatSensor;
 constexpr double kBall_u = 150, kBall_v = 110;
 constexpr int kFrames = 3;
 
-double depth_of(int number) {
-  return 0.3 + 0.2 * number;
-}
+double depth_of(int number) { return 0.3 + 0.2 * number; }
 
 class FrameMeasurerTest : public testing::Test {
  protected:

@@ -38,8 +38,7 @@ FrameResult measured(bool is_calibrated) {
   fill(live, kDarkLive, 0);  // 0 to 7: as dark as it likes
   Pipeline pipeline = Pipeline::with_library(
       ReferenceLibrary::single(reference).value(),
-      FingerSnapshot::of({}, test::flat_sensor_finger(is_calibrated)).value(),
-      PipelineSettings{});
+      FingerSnapshot::of({}, test::flat_sensor_finger(is_calibrated)).value(), PipelineSettings{});
   auto frame = std::make_shared<Frame>();
   frame->grey = live;
   frame->name = "frame";

@@ -108,8 +108,7 @@ TEST_F(FollowedFingerTest, EndsWhileItLoads) {
         while (is_loading && !job.stop_requested()) std::this_thread::sleep_for(1ms);
         return make_(finger, job);
       },
-      Job(),
-      5ms);
+      Job(), 5ms);
   ASSERT_TRUE(slow.ok());
   write_finger(1.0);
   ASSERT_TRUE(wait_until([&] { return is_loading.load(); }));

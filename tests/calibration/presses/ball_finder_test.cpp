@@ -42,10 +42,8 @@ TEST(BallFinder, FindsBallsOfAllDepthsAnywhereOnTheFlatFace) {
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
   const MadeScene scene = flat_scene();
   for (int i = 0; i < 12; ++i) {
-    const Ball ball{100 + 200 * uniform(random),
-                    90 + 120 * uniform(random),
-                    3.0 + 2.0 * uniform(random),
-                    0.3 + 0.9 * uniform(random)};
+    const Ball ball{100 + 200 * uniform(random), 90 + 120 * uniform(random),
+                    3.0 + 2.0 * uniform(random), 0.3 + 0.9 * uniform(random)};
     const Contact contact{static_cast<Skin>(i % 4), i % 4 == 2 ? 0.9 : 0.15, 0.02 * (i % 3)};
     const Made made = make_press(scene, {}, contact, {ball}, 1.0, random);
     const auto guess = find_ball(made.press, scene.face);
@@ -84,8 +82,8 @@ TEST(BallFinder, DiscCutByTheFacesEdgeIsSaidToBe) {
 TEST(BallFinder, EmptyPicturesAreRefused) {
   const MadeScene scene = flat_scene();
   expect_refusal(flat_press(noise(scene.camera.size(), 0.02), scene), scene, "nothing on the face");
-  expect_refusal(
-      flat_press(cv::Mat::zeros(scene.camera.size(), CV_32FC1), scene), scene, "nothing");
+  expect_refusal(flat_press(cv::Mat::zeros(scene.camera.size(), CV_32FC1), scene), scene,
+                 "nothing");
   cv::Mat unknown(scene.camera.size(), CV_32FC1, cv::Scalar(NAN));
   expect_refusal(flat_press(unknown, scene), scene, "hardly any pixel");
 }

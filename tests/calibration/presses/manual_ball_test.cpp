@@ -28,8 +28,8 @@ Presses five_presses() {
   std::mt19937 random(31);
   for (int i = 0; i < 5; ++i) {
     const Ball ball{330.0 + 60 * i, 215.0 + 25 * i, 4.0, 0.5 + 0.15 * i};
-    Made one = make_press(
-        made.scene, {}, {Skin::kHertz, 0, 0.02}, {ball}, 1.0, random, fmt::format("p{}", i));
+    Made one = make_press(made.scene, {}, {Skin::kHertz, 0, 0.02}, {ball}, 1.0, random,
+                          fmt::format("p{}", i));
     made.presses.push_back(std::move(one.press));
     made.centres_mm.push_back(one.centre_mm);
   }
@@ -63,9 +63,8 @@ TEST(PlacedBall, ServesAPressInWhichNoBallIsFound) {
   const Ball ball{420.0, 240.0, 4.0, 0.8}, thumb{640.0, 300.0, 4.0, 0.8};
   Made two = make_press(made.scene, {}, {}, {ball, thumb}, 1.0, random, "two");
   made.presses.push_back(two.press);
-  EXPECT_THAT(
-      solve(made).left_out,
-      testing::ElementsAre(testing::Property(&Message::english, HasSubstr("two contacts"))));
+  EXPECT_THAT(solve(made).left_out, testing::ElementsAre(testing::Property(
+                                        &Message::english, HasSubstr("two contacts"))));
   made.presses.back().ball_mm = two.centre_mm + Eigen::Vector3d(0.2, 0.1, 0.1);
   const Calibration calibration = solve(made);
   EXPECT_TRUE(calibration.left_out.empty());

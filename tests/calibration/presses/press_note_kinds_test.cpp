@@ -13,8 +13,8 @@ namespace {
 
 const PressNoteKind& kind_of(std::string_view flag) {
   const auto& kinds = press_note_kinds();
-  return *std::find_if(
-      kinds.begin(), kinds.end(), [&](const PressNoteKind& kind) { return flag == kind.flag; });
+  return *std::find_if(kinds.begin(), kinds.end(),
+                       [&](const PressNoteKind& kind) { return flag == kind.flag; });
 }
 
 PressSet press_set(std::string_view flag, const std::string& text, PressSet before = {}) {
@@ -44,22 +44,12 @@ TEST(PressSayings, OtherTextsAreRefusedAndSayNothing) {
       EXPECT_EQ(presses, PressSet()) << flag << ' ' << text;
     }
   };
-  const std::vector<const char*> no_lengths{
-      "", "p", "=1", "p=", "p=x", "p=-1", "p=0", "p=nan", "p=inf", "p=1e9"};
+  const std::vector<const char*> no_lengths{"",     "p",   "=1",    "p=",    "p=x",
+                                            "p=-1", "p=0", "p=nan", "p=inf", "p=1e9"};
   for (const char* flag : {"depth", "step", "other-ball"}) refuse(flag, no_lengths);
   refuse("depth", {"p=1+-", "p=1+-0", "p=1+--1", "p=+-0.1", "p=1+-nan"});
-  refuse("ball",
-         {"",
-          "p",
-          "p=",
-          "p=1,2",
-          "p=1,2,3,4",
-          "=1,2,3",
-          "p=1,2,-3",
-          "p=1,2,nan",
-          "p=1,2,inf",
-          "p=1 2 3",
-          "p=1,2,3x"});
+  refuse("ball", {"", "p", "p=", "p=1,2", "p=1,2,3,4", "=1,2,3", "p=1,2,-3", "p=1,2,nan",
+                  "p=1,2,inf", "p=1 2 3", "p=1,2,3x"});
   refuse("exclude", {"", "=why"});
 }
 

@@ -10,9 +10,7 @@ namespace {
 
 using namespace made;
 
-FaceShape drawn_face() {
-  return finger_scene(40.0, 20.0).shape;
-}
+FaceShape drawn_face() { return finger_scene(40.0, 20.0).shape; }
 
 TEST(PressPlan, SixPlacesInAllThirdsOnBothSidesAtThreeDepthsAllOnTheFace) {
   const FaceShape shape = drawn_face();

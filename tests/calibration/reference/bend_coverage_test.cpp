@@ -35,10 +35,8 @@ TEST(BendCoverage, MissesEveryDirectionAtFirstAndNoneInTheEnd) {
   coverage.add(at(4.001, 0, 0));
   coverage.add(at(0, -2.001, 0));
   EXPECT_THAT(coverage.state().missing(),
-              testing::ElementsAre(BendDirection::kTowards,
-                                   BendDirection::kDown,
-                                   BendDirection::kTwistRight,
-                                   BendDirection::kTwistLeft));
+              testing::ElementsAre(BendDirection::kTowards, BendDirection::kDown,
+                                   BendDirection::kTwistRight, BendDirection::kTwistLeft));
   coverage.add(at(-3.9, 2.001, 3.001));  // nearly
   EXPECT_THAT(coverage.state().missing(),
               testing::ElementsAre(BendDirection::kTowards, BendDirection::kTwistLeft));

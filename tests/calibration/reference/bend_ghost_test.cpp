@@ -11,9 +11,7 @@ namespace {
 using made::finger_scene;
 
 /// A straight face: its middle line lies in the plane y = 0.
-FaceShape straight_face() {
-  return finger_scene(40.0, 20.0).shape;
-}
+FaceShape straight_face() { return finger_scene(40.0, 20.0).shape; }
 
 TEST(BendGhost, WithoutAMotionItIsTheOutlineThatIsSeen) {
   const FaceShape shape = straight_face();

@@ -50,8 +50,7 @@ test::MemorySource rendered(const TouchedRecording& recording, const Plan& plan)
   return source;
 }
 
-Result<ReferenceReport> installed(const TouchedRecording& recording,
-                                  Finger& finger,
+Result<ReferenceReport> installed(const TouchedRecording& recording, Finger& finger,
                                   const ReferenceChoices& choices = {}) {
   const Plan plan = recording.plan();
   test::MemorySource source = rendered(recording, plan);
@@ -105,22 +104,13 @@ Outcome outcome_of(const TouchedRecording& recording, const TouchedRecording* be
     outcome.clean_left_out += depth_mm == 0 && out;
   }
   for (const ReferenceStretch& stretch : report->stretches)
-    stretches += fmt::format(" {}-{}{} ({:.0f} mm, {:+.0f} mm, {:.1f} %)",
-                             stretch.first,
-                             stretch.last,
-                             stretch.is_doubtful ? "?" : "",
-                             stretch.along_mm,
-                             stretch.across_mm,
-                             100 * stretch.darker);
+    stretches += fmt::format(" {}-{}{} ({:.0f} mm, {:+.0f} mm, {:.1f} %)", stretch.first,
+                             stretch.last, stretch.is_doubtful ? "?" : "", stretch.along_mm,
+                             stretch.across_mm, 100 * stretch.darker);
   if (outcome.deep_left_in > 0 || outcome.lost() > 0.05 || std::getenv("ALLTACT_RECORDINGS"))
     std::printf("[ figures  ] %s:%s: %d (%s) of %d deep left in, %d of %d clean left out\n",
-                recording.description().c_str(),
-                stretches.c_str(),
-                outcome.deep_left_in,
-                left_in.c_str(),
-                outcome.deep,
-                outcome.clean_left_out,
-                outcome.clean);
+                recording.description().c_str(), stretches.c_str(), outcome.deep_left_in,
+                left_in.c_str(), outcome.deep, outcome.clean_left_out, outcome.clean);
   return outcome;
 }
 
@@ -129,12 +119,7 @@ void print(const char* what, const Outcome& all) {
       "[ figures  ] %s: %d of %d frames deeper than 0.1 mm left in, %d of them deeper than 0.15 "
       "mm; "
       "%.2f %% of %d clean left out\n",
-      what,
-      all.deep_left_in,
-      all.deep,
-      all.plain_left_in,
-      100 * all.lost(),
-      all.clean);
+      what, all.deep_left_in, all.deep, all.plain_left_in, 100 * all.lost(), all.clean);
 }
 
 /// Development seeds are 1 to 120; the statement is made on 1001 to 2000, which are drawn for
@@ -190,11 +175,11 @@ TEST(CleanReference, StretchesAreNamedAndChoicesHonoured) {
   EXPECT_NEAR(stretch.last, 29, 4);
   EXPECT_NEAR(stretch.along_mm, 50, 2.5);
   EXPECT_GT(stretch.darker, 0.02);
-  EXPECT_THAT(report->rejected,
-              ::testing::Contains(::testing::Property(
-                  &Message::english,
-                  ::testing::HasSubstr(
-                      fmt::format("frames {} to {}: something", stretch.first, stretch.last)))));
+  EXPECT_THAT(
+      report->rejected,
+      ::testing::Contains(::testing::Property(
+          &Message::english, ::testing::HasSubstr(fmt::format("frames {} to {}: something",
+                                                              stretch.first, stretch.last)))));
   ReferenceChoices choices;
   choices.keep = {{0, 40}};
   choices.leave_out = {{100, 119}};

@@ -90,11 +90,8 @@ Recorded record(const MarkedFinger& f, const Conditions& conditions, unsigned se
 }
 
 /// place_of: by number, the place in MarkedFinger::discs; -1: the finger has none.
-void expect_numbered(const char* what,
-                     const MarkedFinger& f,
-                     const Recorded& recorded,
-                     const MarkerRows& rows,
-                     const std::vector<int>& place_of) {
+void expect_numbered(const char* what, const MarkedFinger& f, const Recorded& recorded,
+                     const MarkerRows& rows, const std::vector<int>& place_of) {
   const auto numbered = number_recording(recorded.frames, rows);
   ASSERT_TRUE(numbered.ok()) << what << ": " << numbered.error().sentence();
   ASSERT_FALSE(numbered->positions) << what << ": " << numbered->no_markers.english();
@@ -133,12 +130,7 @@ void expect_numbered(const char* what,
       "[ figures  ] %s: %d slips, %d of %zu frames lost, %d seen; worst %.2f px seen, median %.2f "
       "px "
       "hidden\n",
-      what,
-      slips,
-      lost,
-      recorded.frames.size(),
-      seen,
-      worst_seen,
+      what, slips, lost, recorded.frames.size(), seen, worst_seen,
       hidden.empty() ? 0.0 : upper_median(hidden));
   EXPECT_EQ(slips, 0) << what;
   EXPECT_LT(worst_seen, 0.5) << what;
@@ -168,11 +160,8 @@ MarkedFinger growing(double growth) {
 TEST(NumberRecording, RowsByAnySmoothLaw) {
   for (const double growth : {0.8, 1.0, 1.15, 1.3, 1.45}) {
     const MarkedFinger f = growing(growth);
-    expect_numbered(("steps that grow by " + std::to_string(growth)).c_str(),
-                    f,
-                    record(f, {}, 1),
-                    {6, Polarity::kAuto},
-                    in_order(12));
+    expect_numbered(("steps that grow by " + std::to_string(growth)).c_str(), f, record(f, {}, 1),
+                    {6, Polarity::kAuto}, in_order(12));
   }
 }
 
@@ -184,11 +173,8 @@ TEST(NumberRecording, FromTwoToFortyDotsARow) {
     Conditions conditions;
     conditions.hidden_part = per_row > 2 ? 0.05 : 0.0;
     conditions.false_dots = 4;
-    expect_numbered((std::to_string(per_row) + " a row").c_str(),
-                    f,
-                    record(f, conditions, 2),
-                    {per_row, Polarity::kAuto},
-                    in_order(2 * per_row));
+    expect_numbered((std::to_string(per_row) + " a row").c_str(), f, record(f, conditions, 2),
+                    {per_row, Polarity::kAuto}, in_order(2 * per_row));
   }
 }
 
@@ -207,11 +193,8 @@ TEST(NumberRecording, InAnyOrderWithDotsHiddenInEveryFrameAndFalseOnesAmongThem)
   conditions.hidden_part = 0.2;
   conditions.false_dots = 8;
   conditions.is_shuffled = true;
-  expect_numbered("hidden and false",
-                  MarkedFinger{},
-                  record(MarkedFinger{}, conditions, 3),
-                  {6, Polarity::kAuto},
-                  in_order(12));
+  expect_numbered("hidden and false", MarkedFinger{}, record(MarkedFinger{}, conditions, 3),
+                  {6, Polarity::kAuto}, in_order(12));
 }
 
 TEST(NumberRecording, ADamagedFingerWorksWithTheMarkersItHasAndSaysWhichAreMissing) {
@@ -223,36 +206,27 @@ TEST(NumberRecording, ADamagedFingerWorksWithTheMarkersItHasAndSaysWhichAreMissi
                           {1, 0.7, 6, 0.8, 80}};
   auto positions = in_order(12);
   positions[3] = positions[10] = -1;
-  expect_numbered("damaged",
-                  MarkedFinger{},
-                  record(MarkedFinger{}, conditions, 4),
-                  {6, Polarity::kAuto},
-                  positions);
+  expect_numbered("damaged", MarkedFinger{}, record(MarkedFinger{}, conditions, 4),
+                  {6, Polarity::kAuto}, positions);
 
   Conditions ends;
   ends.absent = {0, 11};
   auto inner = in_order(12);
   inner[0] = inner[11] = -1;
-  expect_numbered("without an end",
-                  MarkedFinger{},
-                  record(MarkedFinger{}, ends, 5),
-                  {6, Polarity::kAuto},
-                  inner);
+  expect_numbered("without an end", MarkedFinger{}, record(MarkedFinger{}, ends, 5),
+                  {6, Polarity::kAuto}, inner);
 }
 
 TEST(NumberRecording, RowsOfDifferentLength) {
   MarkedFinger f;
   f.lower_shares = {0.06 + 0.86 * 0.2, 0.06 + 0.86 * 0.4, 0.06 + 0.86 * 0.6, 0.06 + 0.86 * 0.8};
-  expect_numbered(
-      "6 and 4", f, record(f, {}, 6), {6, Polarity::kAuto}, {0, 1, 2, 3, 4, 5, -1, 6, 7, 8, 9, -1});
+  expect_numbered("6 and 4", f, record(f, {}, 6), {6, Polarity::kAuto},
+                  {0, 1, 2, 3, 4, 5, -1, 6, 7, 8, 9, -1});
 }
 
 TEST(NumberRecording, ANumberOfDotsThatIsOffByOne) {
-  expect_numbered("one too many",
-                  MarkedFinger{},
-                  record(MarkedFinger{}, {}, 7),
-                  {7, Polarity::kAuto},
-                  {0, 1, 2, 3, 4, 5, -1, 6, 7, 8, 9, 10, 11, -1});
+  expect_numbered("one too many", MarkedFinger{}, record(MarkedFinger{}, {}, 7),
+                  {7, Polarity::kAuto}, {0, 1, 2, 3, 4, 5, -1, 6, 7, 8, 9, 10, 11, -1});
   const auto recorded = record(MarkedFinger{}, {}, 8);
   const auto fewer = number_recording(recorded.frames, {5, Polarity::kAuto});
   ASSERT_TRUE(fewer.ok());
@@ -272,11 +246,8 @@ TEST(NumberRecording, ANumberOfDotsThatIsOffByOne) {
 TEST(NumberRecording, TwoFramesAndCopiesOfOne) {
   Conditions two;
   two.frames = 2;
-  expect_numbered("two frames",
-                  MarkedFinger{},
-                  record(MarkedFinger{}, two, 9),
-                  {6, Polarity::kAuto},
-                  in_order(12));
+  expect_numbered("two frames", MarkedFinger{}, record(MarkedFinger{}, two, 9),
+                  {6, Polarity::kAuto}, in_order(12));
   Recorded copies = record(MarkedFinger{}, two, 10);
   for (int i = 0; i < 30; ++i) {
     copies.frames.push_back(copies.frames[0]);

@@ -22,15 +22,13 @@ using test::small_finger;
 /// Poses that are visited again and again, each time a little otherwise.
 Bend loop(int i, int frames_a_loop) {
   const double t = 2 * M_PI * i / frames_a_loop;
-  return {0.3 * std::sin(t),
-          0.1 * std::sin(2.03 * t + 1),
-          5 * std::cos(3.01 * t),
+  return {0.3 * std::sin(t), 0.1 * std::sin(2.03 * t + 1), 5 * std::cos(3.01 * t),
           0.02 * std::sin(1.7 * t)};
 }
 
 /// A disc of the face is darker: something presses there.
-MarkedFinger::Extra dent(
-    const MarkedFinger& f, const cv::Mat& image, double u, double radius_px, double darker) {
+MarkedFinger::Extra dent(const MarkedFinger& f, const cv::Mat& image, double u, double radius_px,
+                         double darker) {
   const double v = 0.5 * (f.height - 1);
   const double level = image.at<float>(static_cast<int>(v), static_cast<int>(u));
   return {{u, v, radius_px, radius_px}, level * (1.0 - darker)};
@@ -119,9 +117,8 @@ TEST(RecordingStudy, BendingIsMeasuredInMillimetres) {
   EXPECT_NEAR(report->coverage.sway_mm().most, sway, 0.03 * sway);
   EXPECT_NEAR(report->coverage.sway_mm().least, -sway, 0.03 * sway);
   EXPECT_LT(report->coverage.bend_mm().most, 0.3);
-  EXPECT_THAT(report->remarks,
-              ::testing::Contains(
-                  ::testing::Property(&Message::english, ::testing::HasSubstr("bend it further"))));
+  EXPECT_THAT(report->remarks, ::testing::Contains(::testing::Property(
+                                   &Message::english, ::testing::HasSubstr("bend it further"))));
 }
 
 }  // namespace

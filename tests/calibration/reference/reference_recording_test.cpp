@@ -27,8 +27,8 @@ using test::scratch_folder;
 using test::small_finger;
 
 // The furthest marker, among those that were seen or among the estimates.
-double truth_error(
-    const MarkerTable& table, const MarkedFinger& f, std::size_t row, const Bend& bend, bool seen) {
+double truth_error(const MarkerTable& table, const MarkedFinger& f, std::size_t row,
+                   const Bend& bend, bool seen) {
   const Eigen::VectorXd difference =
       table.layouts.row(static_cast<Eigen::Index>(row)).transpose() - f.layout(bend);
   double worst = 0;
@@ -64,18 +64,16 @@ TEST(InstallReference, NumbersARecordingRejectsWhatIsNoneAndGivesALibraryOfItsFr
     std::printf("[ figures  ] rejected %s\n", line.english().c_str());
   EXPECT_GE(report->frames_retained, kFrames - 3);
   EXPECT_EQ(report->frames_retained + static_cast<int>(report->rejected.size()), kFrames);
-  EXPECT_TRUE(std::any_of(report->rejected.begin(), report->rejected.end(), [](const auto& line) {
-    return line.english().find("frame 20: ") == 0;
-  }));
+  EXPECT_TRUE(std::any_of(report->rejected.begin(), report->rejected.end(),
+                          [](const auto& line) { return line.english().find("frame 20: ") == 0; }));
   EXPECT_EQ(finger.markers.polarity, Polarity::kBright);
 
   const auto table = MarkerTable::load(folder / finger.reference->markers, 12);
   ASSERT_TRUE(table.ok()) << table.error().sentence();
   std::erase_if(kept, [&](int i) {
     const std::string start = "frame " + std::to_string(i) + ": ";
-    return std::any_of(report->rejected.begin(), report->rejected.end(), [&](const auto& line) {
-      return line.english().find(start) == 0;
-    });
+    return std::any_of(report->rejected.begin(), report->rejected.end(),
+                       [&](const auto& line) { return line.english().find(start) == 0; });
   });
   ASSERT_EQ(kept.size(), table->frames.size());
   double worst = 0, worst_estimate = 0;
@@ -84,13 +82,10 @@ TEST(InstallReference, NumbersARecordingRejectsWhatIsNoneAndGivesALibraryOfItsFr
     worst_estimate =
         std::max(worst_estimate, truth_error(*table, f, i, pose(kept[i], kFrames), false));
   }
-  std::printf("[ figures  ] recording: worst marker seen %.3f px, estimated %.3f px\n",
-              worst,
+  std::printf("[ figures  ] recording: worst marker seen %.3f px, estimated %.3f px\n", worst,
               worst_estimate);
   std::printf("[ figures  ] recording: threshold %.2f px, %.1f ms a frame, step %.2f px\n",
-              finger.contact->threshold_px,
-              1e3 * seconds / kFrames,
-              report->median_step_px);
+              finger.contact->threshold_px, 1e3 * seconds / kFrames, report->median_step_px);
   EXPECT_LT(worst, 1.0);
   // Some poses carry the last markers out of the picture; few frames tell where they went.
   EXPECT_LT(worst_estimate, 0.2 * f.width / f.per_row);
@@ -115,8 +110,8 @@ TEST(InstallReference, NumbersARecordingRejectsWhatIsNoneAndGivesALibraryOfItsFr
   double nearest_error = 0, local_error = 0, gain = 0;
   for (const double at : {5.5, 17.5, 33.5, 47.5}) {
     const double t = 2 * M_PI * at / kFrames;
-    const Bend bend{
-        0.35 * std::sin(t), 0.2 * std::sin(2 * t + 1), 6 * std::cos(3 * t), 0.03 * std::sin(5 * t)};
+    const Bend bend{0.35 * std::sin(t), 0.2 * std::sin(2 * t + 1), 6 * std::cos(3 * t),
+                    0.03 * std::sin(5 * t)};
     Markers markers;
     for (const auto& d : f.discs(bend)) markers.push_back({d.u, d.v, true, 0.02});
     const cv::Mat truth = f.clean(bend);
@@ -139,9 +134,7 @@ TEST(InstallReference, NumbersARecordingRejectsWhatIsNoneAndGivesALibraryOfItsFr
   }
   std::printf(
       "[ figures  ] reference: nearest %.3f, local %.3f grey levels, noise gain up to %.2f\n",
-      nearest_error / 4,
-      local_error / 4,
-      gain);
+      nearest_error / 4, local_error / 4, gain);
   EXPECT_LT(local_error, nearest_error);
   Markers far;
   const Bend beyond{1.2, 0, 30, 0};
@@ -227,8 +220,8 @@ std::shared_ptr<Frame> as_frame(const cv::Mat& grey) {
 // Half-way between two frames of a recording as pose() bends it.
 Bend between_frames(double at, int frames) {
   const double t = 2 * M_PI * at / frames;
-  return {
-      0.35 * std::sin(t), 0.2 * std::sin(2 * t + 1), 6 * std::cos(3 * t), 0.03 * std::sin(5 * t)};
+  return {0.35 * std::sin(t), 0.2 * std::sin(2 * t + 1), 6 * std::cos(3 * t),
+          0.03 * std::sin(5 * t)};
 }
 
 TEST(InstallReference, AMarkerThatWasNeverEngravedIsSaidToBeMissingAndTheOthersWork) {

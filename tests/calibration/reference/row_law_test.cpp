@@ -22,9 +22,8 @@ DotTrack dot(bool upper, double along_mm) {
 }
 
 void order(std::vector<DotTrack>* tracks) {
-  std::stable_sort(tracks->begin(), tracks->end(), [](const DotTrack& a, const DotTrack& b) {
-    return a.along_mm < b.along_mm;
-  });
+  std::stable_sort(tracks->begin(), tracks->end(),
+                   [](const DotTrack& a, const DotTrack& b) { return a.along_mm < b.along_mm; });
 }
 
 /// Places of the numbered dots, NaN where a number has none.

@@ -40,8 +40,8 @@ std::vector<Press> presses(const Contact& contact, double share, double width_mm
     Press press = make_press(scene, {}, contact, {ball}, 1.0, random, fmt::format("p{}", i)).press;
     if (share > 0) {
       cv::Mat around;
-      cv::filter2D(
-          press.difference.x, around, -1, skirt(width_mm), {-1, -1}, 0, cv::BORDER_CONSTANT);
+      cv::filter2D(press.difference.x, around, -1, skirt(width_mm), {-1, -1}, 0,
+                   cv::BORDER_CONSTANT);
       press.difference.x = (1 - share) * press.difference.x + share * around;
     }
     all.push_back(std::move(press));
@@ -60,22 +60,15 @@ Halo halo_of(const std::vector<Press>& presses) {
 }
 
 TEST(Halo, OfLocalLightIsNotSeenWhateverTheSkin) {
-  const Contact contacts[] = {{Skin::kSharp, 0, 0},
-                              {Skin::kSharp, 0, 0.03},
-                              {Skin::kSmooth, 0.15, 0.02},
-                              {Skin::kTail, 0.95, 0.03},
-                              {Skin::kHertz, 0, 0},
-                              {Skin::kHertz, 0, 0.03}};
+  const Contact contacts[] = {{Skin::kSharp, 0, 0},        {Skin::kSharp, 0, 0.03},
+                              {Skin::kSmooth, 0.15, 0.02}, {Skin::kTail, 0.95, 0.03},
+                              {Skin::kHertz, 0, 0},        {Skin::kHertz, 0, 0.03}};
   unsigned seed = 70;
   for (const Contact& contact : contacts) {
     const Halo halo = halo_of(presses(contact, 0, 1, ++seed));
     std::printf(
         "[ figures  ] skin %d bulge %.2f: near %.3f, far %.3f, beyond skin %.3f +- %.3f mm\n",
-        static_cast<int>(contact.skin),
-        contact.bulge_mm,
-        halo.near_mm,
-        halo.far_mm,
-        halo.excess_mm,
+        static_cast<int>(contact.skin), contact.bulge_mm, halo.near_mm, halo.far_mm, halo.excess_mm,
         halo.excess_sd_mm);
     EXPECT_FALSE(halo.is_seen) << static_cast<int>(contact.skin) << " seed " << seed;
     EXPECT_GE(halo.presses, 4);
@@ -90,12 +83,7 @@ TEST(Halo, OfScatteredLightIsSeen) {
       std::printf(
           "[ figures  ] share %.1f width %.1f mm: near %.3f, far %.3f, beyond skin %.3f +- "
           "%.3f mm\n",
-          share,
-          width_mm,
-          halo.near_mm,
-          halo.far_mm,
-          halo.excess_mm,
-          halo.excess_sd_mm);
+          share, width_mm, halo.near_mm, halo.far_mm, halo.excess_mm, halo.excess_sd_mm);
       EXPECT_TRUE(halo.is_seen) << share << " " << width_mm << " seed " << seed;
     }
 }

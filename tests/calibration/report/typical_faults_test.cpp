@@ -16,9 +16,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-auto says(const char* words) {
-  return testing::Property(&Message::english, HasSubstr(words));
-}
+auto says(const char* words) { return testing::Property(&Message::english, HasSubstr(words)); }
 
 SimulatedCalibration made(Fault fault, std::uint64_t seed, bool correct_light = true) {
   auto result = simulate_calibration(fault, seed, correct_light, Job());

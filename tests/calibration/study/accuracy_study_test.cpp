@@ -109,9 +109,8 @@ TEST(AccuracyStudy, ErrorsAreTheSameWithAnyNumberOfThreadsAndAreSmallWhereNothin
     EXPECT_EQ(base.time_ratio, 1);
     EXPECT_GT(base.time_ms, 0);
     const auto unsmoothed =
-        std::find_if(study->rows.begin(), study->rows.end(), [](const StudyRow& row) {
-          return row.settings.smoothing_px == 0;
-        });
+        std::find_if(study->rows.begin(), study->rows.end(),
+                     [](const StudyRow& row) { return row.settings.smoothing_px == 0; });
     ASSERT_NE(unsmoothed, study->rows.end());
     EXPECT_GT(unsmoothed->depth->median_mm, 1.5 * base.depth->median_mm)
         << "noise that is not smoothed away";
@@ -151,9 +150,7 @@ TEST(AccuracyStudy, GoesOnWhereItWasStopped) {
   std::vector<StudyRow> kept;
   const Error enough{Message::typed("enough"), "", ""};
   const auto stopped = study_accuracy(
-      world,
-      options,
-      {},
+      world, options, {},
       [&](const std::vector<StudyRow>& rows) -> Status {
         kept = rows;
         return enough;
@@ -163,9 +160,7 @@ TEST(AccuracyStudy, GoesOnWhereItWasStopped) {
   ASSERT_GE(kept.size(), 2U);
   std::size_t measured_again = 0;
   const auto study = study_accuracy(
-      world,
-      options,
-      kept,
+      world, options, kept,
       [&](const std::vector<StudyRow>& rows) -> Status {
         measured_again += rows.size();
         return {};
@@ -265,8 +260,8 @@ TEST(StudyFront, IsWhatNothingBeats) {
     ASSERT_FALSE(front.empty());
     const auto all_three = [&](std::size_t row) {
       const StudyRow& of = study.rows[row];
-      return std::array<double, 3>{
-          frame_ms(study, of), of.depth->median_mm, of.position_mm.value_or(1e9)};
+      return std::array<double, 3>{frame_ms(study, of), of.depth->median_mm,
+                                   of.position_mm.value_or(1e9)};
     };
     for (std::size_t i = 0; i < front.size(); ++i)
       for (std::size_t k = 0; k < front.size(); ++k) {

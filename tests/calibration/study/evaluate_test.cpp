@@ -44,9 +44,7 @@ cv::Mat points_at(float untouched_z, const cv::Mat& depth_mm) {
 TEST(Evaluate, ThePerfectAnswerHasNoError) {
   const Truth truth = block();
   Evaluator evaluator(camera());
-  evaluator.add(truth,
-                truth.depth_mm,
-                points_at(kZ, truth.depth_mm),
+  evaluator.add(truth, truth.depth_mm, points_at(kZ, truth.depth_mm),
                 {{10, 10, true, 0}, {20, 10, true, 0}, {30, 10, false, 0}});
   const Evaluation evaluation = evaluator.evaluation();
   EXPECT_EQ(evaluation.frames, 1);
@@ -67,9 +65,7 @@ TEST(Evaluate, EachErrorIsCountedWhereItBelongs) {
   depth.colRange(45, 48).setTo(9.0F);     // 0.6 mm from the contact: neither here nor there
   depth.colRange(100, 200).setTo(0.02F);  // far away
   Evaluator evaluator(camera());
-  evaluator.add(truth,
-                depth,
-                points_at(kZ + 0.03F, depth),
+  evaluator.add(truth, depth, points_at(kZ + 0.03F, depth),
                 {{10, 10.5, true, 0}, {99, 10, false, 0}, {30, 12, false, 0}});
   evaluator.add_time(3);
   evaluator.add_time(1);

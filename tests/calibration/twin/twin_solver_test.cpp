@@ -28,21 +28,19 @@ struct Line {
     }
   }
   [[nodiscard]] TwinSolution solve(double high = 50) const {
-    const TwinModel model =
-        [&](const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd* slopes) {
-          r = (x[0] + x[1] * t.array()).matrix() - y;
-          if (slopes) {
-            slopes->resize(t.size(), 2);
-            slopes->col(0).setOnes();
-            slopes->col(1) = t;
-          }
-          return true;
-        };
+    const TwinModel model = [&](const Eigen::VectorXd& x, Eigen::VectorXd& r,
+                                Eigen::MatrixXd* slopes) {
+      r = (x[0] + x[1] * t.array()).matrix() - y;
+      if (slopes) {
+        slopes->resize(t.size(), 2);
+        slopes->col(0).setOnes();
+        slopes->col(1) = t;
+      }
+      return true;
+    };
     return solve_twin(model,
                       {Eigen::Vector2d(0, 0), Eigen::Vector2d(-50, -50), Eigen::Vector2d(50, high)},
-                      t.size(),
-                      {},
-                      Job())
+                      t.size(), {}, Job())
         .value();
   }
 };

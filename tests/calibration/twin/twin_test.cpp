@@ -60,12 +60,8 @@ TwinScene hidden_finger(unsigned seed) {
   scene.lamps = {{{draw.between(-6, 6), draw.between(-5, -2), draw.between(-8, 2)}, 0.55 * power},
                  {{draw.between(-6, 6), draw.between(2, 5), draw.between(-8, 2)}, 0.45 * power}};
   for (const double s : {20.0})
-    scene.balls.push_back({"press_" + std::to_string(scene.balls.size()),
-                           4,
-                           s + draw.between(-2, 2),
-                           draw.between(-3, 3),
-                           draw.between(0.7, 1.1),
-                           1,
+    scene.balls.push_back({"press_" + std::to_string(scene.balls.size()), 4,
+                           s + draw.between(-2, 2), draw.between(-3, 3), draw.between(0.7, 1.1), 1,
                            scene.rest});
   return scene;
 }
@@ -105,8 +101,8 @@ struct HiddenWorld {
 
 /// A figure is what it is in truth, within four of its standard deviations and a part of itself
 /// that the lamps' and the face's misfit may take.
-void expect_found(
-    const Twin& twin, const std::string& key, double truth, double part, unsigned seed) {
+void expect_found(const Twin& twin, const std::string& key, double truth, double part,
+                  unsigned seed) {
   for (const TwinFigure& figure : twin.figures) {
     if (figure.key != key) continue;
     ASSERT_TRUE(figure.sd.has_value()) << key << ' ' << seed;
@@ -154,22 +150,10 @@ TEST(Twin, OfHiddenFingersIsFound) {
     std::printf(
         "world %2u: scatter %.3f (%.3f), roll-off %.3f (%.3f), halo %.4f (%.4f) %.3f (%.3f), "
         "blur %.3f (%.3f), read %.3f (%.3f), depth %.3f (%.3f), untouched %.2f\n",
-        seed,
-        twin->scene.layer.scatter_per_mm,
-        truth.layer.scatter_per_mm,
-        twin->scene.rolloff_mm,
-        truth.rolloff_mm,
-        twin->scene.halo_share,
-        truth.halo_share,
-        twin->scene.halo_width_mm,
-        truth.halo_width_mm,
-        twin->scene.blur_px,
-        truth.blur_px,
-        twin->scene.read_sd,
-        truth.read_sd,
-        twin->scene.balls[0].depth_mm,
-        truth.balls[0].depth_mm,
-        twin->untouched_rms);
+        seed, twin->scene.layer.scatter_per_mm, truth.layer.scatter_per_mm, twin->scene.rolloff_mm,
+        truth.rolloff_mm, twin->scene.halo_share, truth.halo_share, twin->scene.halo_width_mm,
+        truth.halo_width_mm, twin->scene.blur_px, truth.blur_px, twin->scene.read_sd, truth.read_sd,
+        twin->scene.balls[0].depth_mm, truth.balls[0].depth_mm, twin->untouched_rms);
     EXPECT_EQ(twin->scene.rolloff, TwinRolloff::kHertz) << seed;
     expect_found(*twin, "scatter_per_mm", truth.layer.scatter_per_mm, 0.05, seed);
     expect_found(*twin, "rolloff length_mm", truth.rolloff_mm, 0.05, seed);

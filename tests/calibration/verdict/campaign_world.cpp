@@ -14,9 +14,7 @@ namespace {
 double uniform(std::mt19937_64& random, double low, double high) {
   return low + (high - low) * static_cast<double>(random() >> 11) * 0x1.0p-53;
 }
-bool chance(std::mt19937_64& random, double share) {
-  return uniform(random, 0, 1) < share;
-}
+bool chance(std::mt19937_64& random, double share) { return uniform(random, 0, 1) < share; }
 int whole(std::mt19937_64& random, int low, int high) {
   return low + static_cast<int>(uniform(random, 0, 1) * (high - low + 1));
 }
@@ -94,14 +92,9 @@ void spread_distance(cv::Mat1f& distance) {
     int du, dv;
     float length;
   };
-  static const Step kSteps[] = {{-1, 0, 1.0F},
-                                {0, -1, 1.0F},
-                                {-1, -1, 1.41421F},
-                                {1, -1, 1.41421F},
-                                {-2, -1, 2.23607F},
-                                {-1, -2, 2.23607F},
-                                {1, -2, 2.23607F},
-                                {2, -1, 2.23607F}};
+  static const Step kSteps[] = {{-1, 0, 1.0F},     {0, -1, 1.0F},      {-1, -1, 1.41421F},
+                                {1, -1, 1.41421F}, {-2, -1, 2.23607F}, {-1, -2, 2.23607F},
+                                {1, -2, 2.23607F}, {2, -1, 2.23607F}};
   const auto pass = [&](int sign) {
     for (int i = 0; i < distance.rows; ++i) {
       const int v = sign > 0 ? i : distance.rows - 1 - i;
@@ -315,15 +308,8 @@ std::string CampaignWorld::traits() const {
       "layer={:.2f} S={:.2f} vary={:+.2f}/{:+.2f} skirt={:.2f} lift={:.2f} bulge={:.2f} "
       "noise={:.2f} "
       "n={}",
-      layer_mm,
-      scatter_per_mm_,
-      scatter_slope_,
-      scatter_bow_,
-      skirt_share_,
-      lift_off_mm_,
-      bulge_,
-      read_sd_,
-      presses.size());
+      layer_mm, scatter_per_mm_, scatter_slope_, scatter_bow_, skirt_share_, lift_off_mm_, bulge_,
+      read_sd_, presses.size());
 }
 
 void CampaignWorld::press_in(const Indenter& indenter, PaintedFrame& frame) const {
@@ -331,8 +317,7 @@ void CampaignWorld::press_in(const Indenter& indenter, PaintedFrame& frame) cons
   cv::Mat1f height(kHeightPx, kWidthPx), start(kHeightPx, kWidthPx);
   for (int v = 0; v < kHeightPx; ++v) {
     for (int u = 0; u < kWidthPx; ++u) {
-      const double h = height_mm(indenter,
-                                 mm_per_px * (u - (kWidthPx - 1) / 2.0),
+      const double h = height_mm(indenter, mm_per_px * (u - (kWidthPx - 1) / 2.0),
                                  mm_per_px * (v - (kHeightPx - 1) / 2.0));
       height(v, u) = static_cast<float>(h);
       start(v, u) = h > 0 ? static_cast<float>(-lift_px * std::log(h)) : 1e6F;

@@ -228,9 +228,8 @@ Outcome run_campaign(std::uint64_t seed) {
       (world.faults.layer_factor == 1 || stands(finger.face.layer_mm)) &&
       (world.faults.scale_factor == 1 || stands(finger.camera.mm_per_px * CampaignWorld::kWidthPx));
   outcome.names_touch = std::any_of(
-      done->contradictions.begin(), done->contradictions.end(), [](const Contradiction& one) {
-        return one.kind == ContradictionKind::kReferenceContact;
-      });
+      done->contradictions.begin(), done->contradictions.end(),
+      [](const Contradiction& one) { return one.kind == ContradictionKind::kReferenceContact; });
   measure(world, folder.path(), outcome);
   return outcome;
 }
@@ -240,19 +239,12 @@ std::string row(const Outcome& outcome) {
   for (const auto& [kind, mm] : outcome.by_kind_mm) kinds += fmt::format(" {}={:.3f}", kind, mm);
   return fmt::format(
       "{:4} {:8} said {:.3f} measured {:.3f} ratio {:4.1f} bias {:+.3f} {}{} [{}] {{{}}}{}",
-      outcome.seed,
-      outcome.word,
-      outcome.said_mm,
-      outcome.measured_mm,
-      outcome.ratio(),
+      outcome.seed, outcome.word, outcome.said_mm, outcome.measured_mm, outcome.ratio(),
       outcome.bias_mm,
       outcome.is_broken()    ? "BROKEN"
       : outcome.is_refusal() ? "REFUSAL"
                              : "ok",
-      outcome.is_unnamed() ? ",UNNAMED" : "",
-      outcome.faults,
-      outcome.traits,
-      kinds);
+      outcome.is_unnamed() ? ",UNNAMED" : "", outcome.faults, outcome.traits, kinds);
 }
 
 struct Counts {
@@ -270,12 +262,7 @@ struct Counts {
     return fmt::format(
         "{} campaigns, {} good, {} of them broken ({:.1f} %); {} would hold, {} of them refused "
         "({:.1f} %)",
-        campaigns,
-        good,
-        broken,
-        100.0 * broken / std::max(good, 1),
-        would_hold,
-        refusals,
+        campaigns, good, broken, 100.0 * broken / std::max(good, 1), would_hold, refusals,
         100.0 * refusals / std::max(would_hold, 1));
   }
 };
@@ -317,26 +304,16 @@ TEST(Campaigns, VerdictHoldsForTheNextContact) {
     touches.add(outcome);
     std::printf("%s\n", row(outcome).c_str());
     if (std::getenv("ALLTACT_CAMPAIGNS") != nullptr)
-      std::printf("     parts%s; missing%s; %s\n",
-                  outcome.parts.c_str(),
-                  outcome.missing.c_str(),
+      std::printf("     parts%s; missing%s; %s\n", outcome.parts.c_str(), outcome.missing.c_str(),
                   outcome.why.c_str());
     std::fflush(stdout);
   }
   std::printf("seeds %lu-%lu\nlocal:     %s\nscattered: %s\ntyped:     %s; %d do not name it\n",
-              first,
-              last,
-              local.text().c_str(),
-              scattered.text().c_str(),
-              typed.text().c_str(),
+              first, last, local.text().c_str(), scattered.text().c_str(), typed.text().c_str(),
               typed.unnamed);
   std::printf(
       "references: %d touched, %d of them named, %d good; %d of %d untouched ones accused\n",
-      touches.touched,
-      touches.named,
-      touches.called_good,
-      touches.accused,
-      touches.untouched);
+      touches.touched, touches.named, touches.called_good, touches.accused, touches.untouched);
   EXPECT_LE(touches.called_good, 0.1 * touches.touched);
   EXPECT_LE(touches.accused, 0.005 * touches.untouched);
   const double share = is_slow_run() ? kMeasuredShare : kShare;

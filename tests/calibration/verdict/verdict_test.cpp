@@ -32,9 +32,7 @@ struct Lack {
 
 const std::vector<Lack>& lacks() {
   static const std::vector<Lack> kLacks{
-      {"reference_whole",
-       [](auto& e) { e.reference = ReferenceState::kMissing; },
-       Grade::kUnfit,
+      {"reference_whole", [](auto& e) { e.reference = ReferenceState::kMissing; }, Grade::kUnfit,
        "a file of the reference is missing"},
       {"numbers_unchanged",
        [](auto& e) {
@@ -55,37 +53,25 @@ const std::vector<Lack>& lacks() {
        [](auto& e) {
          e.contradictions = {{ContradictionKind::kContactDeeperThanLayer, {"a"}, 1.5, 2.086, 0, 6}};
        },
-       Grade::kUnproven,
-       "1 of 6 presses is deeper than the layer of 1.50 mm (2.09 mm)"},
-      {"basis_stored",
-       [](auto& e) { e.has_basis = false; },
-       Grade::kUnproven,
+       Grade::kUnproven, "1 of 6 presses is deeper than the layer of 1.50 mm (2.09 mm)"},
+      {"basis_stored", [](auto& e) { e.has_basis = false; }, Grade::kUnproven,
        "alltact calibrate left-07 --again"},
-      {"reference_older",
-       [](auto& e) { e.reference_is_newer = true; },
-       Grade::kUnproven,
+      {"reference_older", [](auto& e) { e.reference_is_newer = true; }, Grade::kUnproven,
        "the reference is newer than the calibration"},
       {"complete", [](auto& e) { e.is_complete = false; }, Grade::kUnproven, "was stopped"},
       {"held_out", [](auto& e) { e.held_out_mm = 0; }, Grade::kUnproven, "no press was left out"},
       {"presses", [](auto& e) { e.presses = 3; }, Grade::kUnproven, "3 of 4 presses needed"},
-      {"positions",
-       [](auto& e) { e.positions = 2; },
-       Grade::kUnproven,
+      {"positions", [](auto& e) { e.positions = 2; }, Grade::kUnproven,
        "at 2 positions, 3 are needed"},
       {"thirds",
        [](auto& e) {
          e.thirds = {3, 3, 0};
        },
-       Grade::kUnproven,
-       "no press in the tip third; press there once"},
-      {"depths",
-       [](auto& e) { e.shallowest_mm = e.deepest_mm; },
-       Grade::kUnproven,
+       Grade::kUnproven, "no press in the tip third; press there once"},
+      {"depths", [](auto& e) { e.shallowest_mm = e.deepest_mm; }, Grade::kUnproven,
        "press shallower and deeper"},
       {"scale_known", [](auto& e) { e.scale_sd_mm = 0; }, Grade::kUnproven, "scale"},
-      {"few_left_out",
-       [](auto& e) { e.left_out = 7; },
-       Grade::kUnproven,
+      {"few_left_out", [](auto& e) { e.left_out = 7; }, Grade::kUnproven,
        "7 of 13 presses had to be left out"},
       {"fresh", [](auto& e) { e.days_unchecked = 400; }, Grade::kUnproven, "for 400 days"},
       {"error_good", [](auto& e) { e.scale_sd_mm = 0.08; }, Grade::kUsable, "at most 0.06 mm"},
@@ -160,8 +146,7 @@ TEST(Verdict, TheErrorIsTheRootOfTheSquaresOfItsCauses) {
   evidence.pixel_sd_mm = 0.1;
   EXPECT_NEAR(
       verdict(evidence).error_mm * verdict(evidence).error_mm - worth.error_mm * worth.error_mm,
-      mean * mean * 0.01 - shape * shape,
-      1e-12);
+      mean * mean * 0.01 - shape * shape, 1e-12);
 }
 
 TEST(Verdict, AMeasuredDepthTellsWhatBallsHide) {
@@ -186,8 +171,8 @@ TEST(Verdict, ScatteredLightLowersTheWordByWhatItIsOff) {
 
 TEST(Verdict, StudentsFactorIsThatOfTables) {
   // 84.13 % quantiles of Student's distribution, as R gives them: qt(pnorm(1), n).
-  const std::map<int, double> table{
-      {1, 1.8373}, {2, 1.3213}, {3, 1.1969}, {4, 1.1416}, {5, 1.1105}, {9, 1.0585}, {30, 1.0169}};
+  const std::map<int, double> table{{1, 1.8373}, {2, 1.3213}, {3, 1.1969}, {4, 1.1416},
+                                    {5, 1.1105}, {9, 1.0585}, {30, 1.0169}};
   for (const auto& [freedom, factor] : table)
     EXPECT_NEAR(student_factor(freedom), factor, freedom < 2 ? 0.03 : 0.01) << freedom;
 }
@@ -213,12 +198,10 @@ TEST(Verdict, GradesChangeAtTheirLimits) {
 
 TEST(Verdict, NoNumberIsNeverGood) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  for (double CalibrationEvidence::*member : {&CalibrationEvidence::held_out_mm,
-                                              &CalibrationEvidence::scale_sd_mm,
-                                              &CalibrationEvidence::pixel_sd_mm,
-                                              &CalibrationEvidence::position_leverage,
-                                              &CalibrationEvidence::depth_per_radius,
-                                              &CalibrationEvidence::deepest_mm}) {
+  for (double CalibrationEvidence::*member :
+       {&CalibrationEvidence::held_out_mm, &CalibrationEvidence::scale_sd_mm,
+        &CalibrationEvidence::pixel_sd_mm, &CalibrationEvidence::position_leverage,
+        &CalibrationEvidence::depth_per_radius, &CalibrationEvidence::deepest_mm}) {
     for (const double value : {nan, std::numeric_limits<double>::infinity()}) {
       CalibrationEvidence evidence = good_evidence();
       evidence.*member = value;

@@ -113,9 +113,8 @@ TEST(AtomicFile, SaysWhyItCannotWrite) {
 TEST(AtomicFile, SaysThatAccessIsNotAllowed) {
   const TemporaryFolder folder;
   ASSERT_TRUE(write_file_atomically(folder / "a.txt", "old").ok());
-  fs::permissions(folder.path(),
-                  fs::perms::owner_read | fs::perms::owner_exec | fs::perms::others_read |
-                      fs::perms::others_exec);
+  fs::permissions(folder.path(), fs::perms::owner_read | fs::perms::owner_exec |
+                                     fs::perms::others_read | fs::perms::others_exec);
   const bool is_root = geteuid() == 0;  // may write everywhere
   if (is_root) {
     ASSERT_EQ(seteuid(65534), 0);

@@ -23,14 +23,12 @@ using Json = nlohmann::ordered_json;
 using Random = std::mt19937;
 using testing::ElementsAre;
 
-int up_to(Random& random, int most) {
-  return std::uniform_int_distribution<int>(0, most)(random);
-}
+int up_to(Random& random, int most) { return std::uniform_int_distribution<int>(0, most)(random); }
 
 /// Braces in every neighbourhood, digits, colons, and letters of more than one byte.
 std::string any_text(Random& random) {
-  static constexpr std::array<const char*, 10> kPieces{
-      "{", "}", "{}", "{0}", ":", "7", " ", "a", "ü", "标"};
+  static constexpr std::array<const char*, 10> kPieces{"{", "}", "{}", "{0}", ":",
+                                                       "7", " ", "a",  "ü",   "标"};
   std::string text;
   for (int left = up_to(random, 6); left > 0; --left)
     text += kPieces[static_cast<std::size_t>(up_to(random, kPieces.size() - 1))];
@@ -48,16 +46,11 @@ Message any_message(Random& random, int depth) {
   std::vector<Message> parts;
   for (int left = up_to(random, 3); left > 0; --left)
     parts.push_back(any_message(random, depth - 1));
-  return kind == 2 ? Message::compose(Message::Kind::kTemplate,
-                                      any_text(random),
-                                      up_to(random, 1) == 0 ? "" : any_text(random),
-                                      -1,
-                                      std::move(parts))
-                   : Message::compose(Message::Kind::kCounted,
-                                      any_text(random),
-                                      any_text(random),
-                                      up_to(random, 4) - 1,
-                                      std::move(parts));
+  return kind == 2
+             ? Message::compose(Message::Kind::kTemplate, any_text(random),
+                                up_to(random, 1) == 0 ? "" : any_text(random), -1, std::move(parts))
+             : Message::compose(Message::Kind::kCounted, any_text(random), any_text(random),
+                                up_to(random, 4) - 1, std::move(parts));
 }
 
 /// A template and what it must give, made side by side.
@@ -167,8 +160,8 @@ TEST(Message, NoTemplateEverCrashes) {
     std::string words;
     for (int left = up_to(random, 24); left > 0; --left)
       words += kLetters[static_cast<std::size_t>(up_to(random, kLetters.size() - 1))];
-    const Message message = Message::compose(
-        Message::Kind::kTemplate, words, {}, -1, {number("1"), any_message(random, 2)});
+    const Message message = Message::compose(Message::Kind::kTemplate, words, {}, -1,
+                                             {number("1"), any_message(random, 2)});
     const std::string english = message.english();
     if (words.find_first_of("{}") == std::string::npos) {
       EXPECT_EQ(english, words);
@@ -232,10 +225,8 @@ TEST(Message, LanguagesWithMoreFormsThanTwoHaveTheCount) {
   std::vector<std::string> told;
   for (const int n : {0, 1, 2, 5, 12, 22, 112})
     told.push_back(en::count("{} frames", "{} frame", n).in(polish));
-  EXPECT_THAT(
-      told,
-      ElementsAre(
-          "0 klatek", "1 klatka", "2 klatki", "5 klatek", "12 klatek", "22 klatki", "112 klatek"));
+  EXPECT_THAT(told, ElementsAre("0 klatek", "1 klatka", "2 klatki", "5 klatek", "12 klatek",
+                                "22 klatki", "112 klatek"));
 }
 
 TEST(Message, AWordKnowsWhatItIsSaidOf) {
@@ -265,8 +256,8 @@ TEST(Message, RowsLeaveOutWhatIsEmpty) {
     EXPECT_EQ(en::sentences(messages).english(), fmt::format("{}", fmt::join(kept, ". ")));
     EXPECT_EQ(en::list(messages).empty(), kept.empty());
     if (kept.size() == 1) {
-      const auto only = std::find_if(
-          messages.begin(), messages.end(), [](const Message& m) { return !m.empty(); });
+      const auto only = std::find_if(messages.begin(), messages.end(),
+                                     [](const Message& m) { return !m.empty(); });
       EXPECT_EQ(en::list(messages), *only) << "nothing is put around one";
       EXPECT_EQ(en::sentences(messages), *only);
     }

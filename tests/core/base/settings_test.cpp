@@ -22,9 +22,7 @@ const Setting<Choices> kCount =
 const Setting<Choices> kShare =
     number_setting<Choices>("share", en::say("how much"), &Choices::share, 0.0, 1.0);
 const Setting<Choices> kColour = choice_setting<Choices, Colour>(
-    "colour",
-    en::say("of the light"),
-    &Choices::colour,
+    "colour", en::say("of the light"), &Choices::colour,
     {{"red", Colour::kRed}, {"green", Colour::kGreen}, {"blue", Colour::kBlue}});
 
 /// What is said of a value; empty where it is taken.

@@ -41,9 +41,7 @@ TEST(SharedValues, ManyThreadsMakeItOnce) {
   for (Value& mine : got)
     threads.emplace_back([&] {
       mine = values
-                 .get("a",
-                      Job(),
-                      kStopped,
+                 .get("a", Job(), kStopped,
                       [&]() -> Result<Value> {
                         std::this_thread::sleep_for(std::chrono::milliseconds(30));
                         ++made;

@@ -23,8 +23,7 @@ using Reader = std::function<void(YamlSection&)>;
 constexpr Limits kFraction{0, 1, true, false, true};
 
 /// What is said of a file; "read" where nothing is.
-std::string reported(const std::string& text,
-                     const Reader& reader,
+std::string reported(const std::string& text, const Reader& reader,
                      Unknown policy = Unknown::kRetained) {
   YamlFile file("a/b.yaml", policy);
   const Status status = file.read(text, reader);
@@ -33,9 +32,7 @@ std::string reported(const std::string& text,
 
 void read_nothing(YamlSection&) {}
 
-void read_share(YamlSection& top) {
-  (void)top.number("share", kFraction);
-}
+void read_share(YamlSection& top) { (void)top.number("share", kFraction); }
 
 TEST(YamlReader, TakesBothDecimalMarksAndRefusesThousands) {
   for (const char* text : {"share: 0,25", "share: 0.25", "share: +0.25", "share: ０．２５"}) {
@@ -141,8 +138,8 @@ TEST(YamlReader, NamesTheNearestKeyAndWord) {
 }
 
 TEST(YamlReader, ASlipOfOneLetterIsNamed) {
-  const std::vector<std::string> words{
-      "width_mm", "layer_mm", "polarity", "incline_deg", "effects"};
+  const std::vector<std::string> words{"width_mm", "layer_mm", "polarity", "incline_deg",
+                                       "effects"};
   EXPECT_TRUE(rc::check("slips", [&] {
     const std::string word = *rc::gen::elementOf(words);
     std::string slip = word;
@@ -271,11 +268,9 @@ TEST(YamlReader, WhatIsKeptIsTheSameWhenItIsReadAgain) {
         rc::gen::oneOf(rc::gen::inRange<char>(1, 127),
                        rc::gen::elementOf(std::string("\"'\\:#\n\t-?,[]{}&*!~ "))));
     const std::string key = yaml_text("k" + (*word).substr(0, 50));
-    const std::string once = fmt::format("{}: [{{{}: {}}}, {}, ~]\n",
-                                         key,
-                                         yaml_text("a" + (*word).substr(0, 50)),
-                                         yaml_text_or_number(*word),
-                                         yaml_number(*rc::gen::inRange(-99, 99) / 8.0));
+    const std::string once =
+        fmt::format("{}: [{{{}: {}}}, {}, ~]\n", key, yaml_text("a" + (*word).substr(0, 50)),
+                    yaml_text_or_number(*word), yaml_number(*rc::gen::inRange(-99, 99) / 8.0));
     RC_ASSERT(kept(once) == once);
   }));
 }

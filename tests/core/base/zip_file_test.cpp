@@ -49,9 +49,7 @@ std::string as_python_reads(const fs::path& archive, const fs::path& into) {
       "{} -c \"import sys, zipfile; z = zipfile.ZipFile(sys.argv[1]); assert z.testzip() is None; "
       "z.extractall(sys.argv[2]); print([(i.filename, i.date_time, i.external_attr >> 16) for i in "
       "z.infolist()])\" '{}' '{}'",
-      test::kPython,
-      archive.string(),
-      into.string()));
+      test::kPython, archive.string(), into.string()));
   EXPECT_EQ(run.status, 0) << run.errors;
   return run.output;
 }

@@ -51,15 +51,11 @@ std::vector<Camera> lenses() {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> unit(-1, 1);
   for (int i = 0; i < 60; ++i) {
-    CameraParameters p = i % 2 == 0 ? brown({0.3 * unit(random),
-                                             0.1 * unit(random),
-                                             0.005 * unit(random),
-                                             0.005 * unit(random),
-                                             0.02 * unit(random)})
-                                    : fisheye({0.1 * unit(random),
-                                               0.05 * unit(random),
-                                               0.01 * unit(random),
-                                               0.002 * unit(random)});
+    CameraParameters p = i % 2 == 0
+                             ? brown({0.3 * unit(random), 0.1 * unit(random), 0.005 * unit(random),
+                                      0.005 * unit(random), 0.02 * unit(random)})
+                             : fisheye({0.1 * unit(random), 0.05 * unit(random),
+                                        0.01 * unit(random), 0.002 * unit(random)});
     p.fx_px *= 1 + 0.2 * unit(random);
     p.cx_px += 40 * unit(random);
     p.cy_px += 40 * unit(random);
@@ -268,9 +264,7 @@ TEST(Camera, RefusesImpossibleParametersByKey) {
 }
 
 TEST(Camera, WordsOfModelsAndOrientationsReadBack) {
-  for (auto model : {CameraModel::kPinhole,
-                     CameraModel::kBrown,
-                     CameraModel::kFisheye,
+  for (auto model : {CameraModel::kPinhole, CameraModel::kBrown, CameraModel::kFisheye,
                      CameraModel::kOrthographic})
     EXPECT_EQ(camera_model_from(to_string(model)), model);
   EXPECT_EQ(camera_model_from("telecentric"), std::nullopt);
@@ -292,12 +286,9 @@ TEST(Camera, OrientationsTurnThePictureAsTheyAreNamed) {
   EXPECT_EQ(turned(Orientation::kRotate90), Expected(2, {4, 1, 5, 2, 6, 3}));
   EXPECT_EQ(turned(Orientation::kRotate270), Expected(2, {3, 6, 2, 5, 1, 4}));
   EXPECT_EQ(oriented(raw, Orientation::kNone).data, raw.data);
-  for (auto orientation : {Orientation::kNone,
-                           Orientation::kFlipU,
-                           Orientation::kFlipV,
-                           Orientation::kRotate180,
-                           Orientation::kRotate90,
-                           Orientation::kRotate270})
+  for (auto orientation :
+       {Orientation::kNone, Orientation::kFlipU, Orientation::kFlipV, Orientation::kRotate180,
+        Orientation::kRotate90, Orientation::kRotate270})
     EXPECT_EQ(orientation_from(to_string(orientation)), orientation);
 }
 

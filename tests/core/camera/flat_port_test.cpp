@@ -23,11 +23,11 @@ TEST(FlatPort, FollowsLightBothWays) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> unit(0, 1);
   for (int i = 0; i < 2000; ++i) {
-    const FlatPort port{
-        10 * unit(random), 5 * unit(random), 1 + unit(random), 1 + 0.8 * unit(random)};
+    const FlatPort port{10 * unit(random), 5 * unit(random), 1 + unit(random),
+                        1 + 0.8 * unit(random)};
     const double off = 1.4 * unit(random), way = 2 * M_PI * unit(random);
-    const Eigen::Vector3d direction(
-        std::tan(off) * std::cos(way), std::tan(off) * std::sin(way), 1);
+    const Eigen::Vector3d direction(std::tan(off) * std::cos(way), std::tan(off) * std::sin(way),
+                                    1);
     const double z_mm = port.gap_mm + port.plate_mm + 0.1 + 100 * unit(random);
     const Eigen::Vector3d truth = followed(port, direction, z_mm);
     const auto ray = ray_through(port, direction);

@@ -43,9 +43,7 @@ Eigen::Vector3d reached(const FlatPort& port, const Eigen::Vector3d& in_air, dou
 TEST(PortCamera, SeesWhereLightComesFrom) {
   for (const CameraModel model :
        {CameraModel::kPinhole, CameraModel::kBrown, CameraModel::kFisheye})
-    for (const FlatPort& port : {kPort,
-                                 FlatPort{1, 2, 1.52, 1.41},
-                                 FlatPort{10, 0, 1, 1.33},
+    for (const FlatPort& port : {kPort, FlatPort{1, 2, 1.52, 1.41}, FlatPort{10, 0, 1, 1.33},
                                  FlatPort{0, 5, 1.49, 1.41}}) {
       const Camera behind = camera(model, port);
       CameraParameters alone = behind.parameters();
@@ -158,10 +156,7 @@ TEST(PortCamera, TheFaceBehindAWindowIsWhereItIs) {
     std::printf(
         "[ figures  ] face behind a window, %g degrees: off by %.4f mm at most, normal by "
         "%.5f, %d places\n",
-        incline_deg,
-        worst,
-        worst_normal,
-        seen);
+        incline_deg, worst, worst_normal, seen);
     EXPECT_GT(seen, 500);
     EXPECT_LT(worst, 0.01);
     EXPECT_LT(worst_normal, 0.005);

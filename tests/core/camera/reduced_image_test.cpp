@@ -30,9 +30,7 @@ TEST(ReducedPicture, EveryPixelIsTheMeanOfItsSquare) {
 }
 
 TEST(ReducedPicture, ItsCameraSeesTheSameRaysAtTheMiddlesOfTheSquares) {
-  for (const CameraModel model : {CameraModel::kPinhole,
-                                  CameraModel::kBrown,
-                                  CameraModel::kFisheye,
+  for (const CameraModel model : {CameraModel::kPinhole, CameraModel::kBrown, CameraModel::kFisheye,
                                   CameraModel::kOrthographic}) {
     CameraParameters whole;
     whole.model = model;

@@ -70,8 +70,7 @@ bool comes_true(const Condition& condition) {
 
 TEST(CameraList, ListsCamerasByLastingNamesAndHidesWhatIsNone) {
   TestBed bed;
-  for (const auto& entry : {TestBed::camera(10, "BBBB", 4),
-                            TestBed::camera(2, "AAAA", 3),
+  for (const auto& entry : {TestBed::camera(10, "BBBB", 4), TestBed::camera(2, "AAAA", 3),
                             TestBed::camera(3, "AAAA", 3, 1)})
     bed.add(entry);
   Cameras cameras;
@@ -101,9 +100,7 @@ TEST(CameraList, ListsCamerasByLastingNamesAndHidesWhatIsNone) {
     const auto identity = find_camera(wanted, found);
     return identity.ok() ? identity->node : identity.error().sentence();
   };
-  for (const char* wanted : {"/dev/video10",
-                             "BBBB",
-                             "usb-Fake_Camera_BBBB-video-index0",
+  for (const char* wanted : {"/dev/video10", "BBBB", "usb-Fake_Camera_BBBB-video-index0",
                              "/dev/v4l/by-id/usb-Fake_Camera_BBBB-video-index0",
                              "pci-0000:00:14.0-usb-0:4:1.0-video-index0",
                              "/dev/v4l/by-path/pci-0000:00:14.0-usb-0:4:1.0-video-index0"})

@@ -82,20 +82,8 @@ TEST(GaugeLine, SeveralValuesStandSideBySide) {
 }
 
 TEST(GaugeLine, OverRangeIsNoForceAndNoNoise) {
-  for (const char* over : {"OL",
-                           "O.L.",
-                           "-OL-",
-                           "OVER",
-                           "Over N",
-                           "0L",
-                           "HELP",
-                           "ERR",
-                           "-----",
-                           "++++++",
-                           "OL kgf",
-                           "OVERLOAD",
-                           "- - - -",
-                           ">>>>"})
+  for (const char* over : {"OL", "O.L.", "-OL-", "OVER", "Over N", "0L", "HELP", "ERR", "-----",
+                           "++++++", "OL kgf", "OVERLOAD", "- - - -", ">>>>"})
     EXPECT_EQ(told(over).kind, LineKind::kOverRange) << over;
 }
 

@@ -35,8 +35,8 @@ class FakeHid {
   Result<std::unique_ptr<HidPort>> open() {
     const std::lock_guard lock(mutex_);
     if (is_gone_)
-      return Error{
-          en::say("there is no such HID device"), std::string("fake"), en::say("plug it in")};
+      return Error{en::say("there is no such HID device"), std::string("fake"),
+                   en::say("plug it in")};
     return std::unique_ptr<HidPort>(std::make_unique<Port>(*this));
   }
 
@@ -46,12 +46,11 @@ class FakeHid {
     explicit Port(FakeHid& device) : device_(device) {}
     Result<Report> read(int timeout_ms) override {
       std::unique_lock lock(device_.mutex_);
-      device_.changed_.wait_for(lock, std::chrono::milliseconds(timeout_ms), [&] {
-        return device_.is_gone_ || !device_.said_.empty();
-      });
+      device_.changed_.wait_for(lock, std::chrono::milliseconds(timeout_ms),
+                                [&] { return device_.is_gone_ || !device_.said_.empty(); });
       if (device_.is_gone_)
-        return Error{
-            en::say("the device was unplugged"), std::string("fake"), en::say("plug it in again")};
+        return Error{en::say("the device was unplugged"), std::string("fake"),
+                     en::say("plug it in again")};
       if (device_.said_.empty()) return Report();
       Report report = device_.said_.front();
       device_.said_.pop_front();
@@ -96,8 +95,7 @@ TEST(ButtonLearner, BytesThatMoveAtRestAreLeftOut) {
   // A device that always talks: a counter, a trembling axis, buttons in the third byte.
   auto report = [count = std::uint8_t{0}](bool is_down) mutable {
     ++count;
-    return Report{count,
-                  static_cast<std::uint8_t>(0x80 + count % 3),
+    return Report{count, static_cast<std::uint8_t>(0x80 + count % 3),
                   static_cast<std::uint8_t>(is_down ? 0x12 : 0x10)};
   };
   std::vector<Report> rest, presses;
@@ -115,23 +113,13 @@ TEST(ButtonPattern, TextSaysAllAndNonsenseIsRefused) {
   const ButtonPattern pattern{8, {{2, 0xFF, 0x05}, {7, 0x01, 0x00}}};
   EXPECT_EQ(pattern.text(), "8 2:ff=05,7:01=00");
   EXPECT_EQ(*ButtonPattern::parse(pattern.text()), pattern);
-  for (const char* nonsense : {"",
-                               "8",
-                               "8 ",
-                               "8 2:ff",
-                               "8 2:ff=05,",
-                               "8 8:ff=05",
-                               "8 2:00=00",
-                               "8 2:01=02",
-                               "8 2:fff=05",
-                               "x 2:ff=05",
-                               "8 2:ff=05 3:ff=01"})
+  for (const char* nonsense : {"", "8", "8 ", "8 2:ff", "8 2:ff=05,", "8 8:ff=05", "8 2:00=00",
+                               "8 2:01=02", "8 2:fff=05", "x 2:ff=05", "8 2:ff=05 3:ff=01"})
     EXPECT_FALSE(ButtonPattern::parse(nonsense).ok()) << nonsense;
 }
 
 TEST(LearntButton, ReadsWhatItWrites) {
-  for (const char* text : {"0c45:7403/0 4 2:05=05",
-                           "0c45:7403:my serial 8 2:ff=05,3:01=01",
+  for (const char* text : {"0c45:7403/0 4 2:05=05", "0c45:7403:my serial 8 2:ff=05,3:01=01",
                            "/dev/hidraw3 1 0:01=01"}) {
     const auto button = LearntButton::parse(text);
     ASSERT_TRUE(button.ok()) << text;
@@ -186,8 +174,8 @@ bool comes_true(const Condition& condition) {
 TEST(HidButton, CallsOnceAPressAndComesBackAfterPluggingIn) {
   FakeHid pedal;
   std::atomic<int> presses{0};
-  const HidButton button(
-      [&] { return pedal.open(); }, *ButtonPattern::parse("2 1:10=10"), [&] { ++presses; });
+  const HidButton button([&] { return pedal.open(); }, *ButtonPattern::parse("2 1:10=10"),
+                         [&] { ++presses; });
   const auto press = [&] {
     pedal.say({1, 0x10});
     pedal.say({1, 0x10});
@@ -267,16 +255,10 @@ TEST(LedDimmer, DescriptionsAreReadBackAndNonsenseIsRefused) {
   const auto report = DimmerReport::parse("feature id=3 bytes=5 at=2 range=0..1000");
   ASSERT_TRUE(report.ok());
   EXPECT_EQ(*DimmerReport::parse(report->text()), *report);
-  for (const char* nonsense : {"",
-                               "mcp2221a",
-                               "output id=256",
-                               "output bytes=0",
-                               "output bytes=2 at=2",
-                               "output bytes=2 at=1 range=0..256",
-                               "output range=5..5",
-                               "output range=0..70000 bytes=4",
-                               "output range=0",
-                               "output speed=3"}) {
+  for (const char* nonsense :
+       {"", "mcp2221a", "output id=256", "output bytes=0", "output bytes=2 at=2",
+        "output bytes=2 at=1 range=0..256", "output range=5..5", "output range=0..70000 bytes=4",
+        "output range=0", "output speed=3"}) {
     FakeHid device;
     EXPECT_FALSE(LedDimmer::create(device.open().value(), "1:2", nonsense).ok()) << nonsense;
   }

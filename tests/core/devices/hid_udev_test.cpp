@@ -97,9 +97,8 @@ TEST(HidPort, WithoutAccessTheRuleToInstallIsNamed) {
   waitpid(child, nullptr, 0);
   reported.resize(static_cast<std::size_t>(std::max<ssize_t>(size, 0)));
   const std::string rule = "ATTRS{idVendor}==\"abcd\", ATTRS{idProduct}==\"0123\"";
-  EXPECT_THAT(
-      reported,
-      AllOf(HasSubstr("not allowed"), HasSubstr("packaging/70-alltact.rules"), HasSubstr(rule)));
+  EXPECT_THAT(reported, AllOf(HasSubstr("not allowed"), HasSubstr("packaging/70-alltact.rules"),
+                              HasSubstr(rule)));
   EXPECT_NE(reported.find(rule), reported.rfind(rule))
       << "in the list and on opening: " << reported;
 }

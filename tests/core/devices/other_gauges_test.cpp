@@ -125,12 +125,11 @@ TEST(GaugeReport, ValuesStandWhereTheyAreDescribed) {
               -12.34,  // 0xFB2E = -1234
               1e-12);
   EXPECT_NEAR(read_of("at=0 type=u24be scale=0.001 unit=kgf", {0x01, 0x00, 0x00}).force_N[0],
-              65.536 * 9.80665,
-              1e-9);
+              65.536 * 9.80665, 1e-9);
   EXPECT_NEAR(read_of("at=1 type=f32", {9, 0x00, 0x00, 0x20, 0xC0}).force_N[0], -2.5, 1e-12);
   EXPECT_NEAR(read_of("at=0 type=u8 zero=128 scale=0.5", {100}).force_N[0], -14, 1e-12);
-  EXPECT_NEAR(
-      read_of("at=0 type=s32 scale=1e-4", {0x18, 0xFC, 0xFF, 0xFF}).force_N[0], -0.1, 1e-12);
+  EXPECT_NEAR(read_of("at=0 type=s32 scale=1e-4", {0x18, 0xFC, 0xFF, 0xFF}).force_N[0], -0.1,
+              1e-12);
   EXPECT_NEAR(read_of("at=0 type=s24 scale=1", {0xFE, 0xFF, 0xFF}).force_N[0], -2, 1e-12);
   const GaugeLine three =
       read_of("type=s16be scale=0.1 unit=N at=0 at=2 at=4 scale=0.2", {0, 1, 0, 2, 0, 3});
@@ -155,19 +154,9 @@ TEST(GaugeReport, OtherReportsAndTheEndsOfTheRangeAreNoForce) {
 }
 
 TEST(GaugeReport, NonsenseIsRefused) {
-  for (const char* bad : {"",
-                          "id=3",
-                          "at",
-                          "at=x",
-                          "at=-1",
-                          "at=1 type=s17",
-                          "at=1 scale=0",
-                          "at=1 scale=inf",
-                          "at=1 unit=mm",
-                          "id=256 at=1",
-                          "at=4095 type=s16",
-                          "at=1 at=2 at=3 at=4",
-                          "at=1 speed=3"})
+  for (const char* bad :
+       {"", "id=3", "at", "at=x", "at=-1", "at=1 type=s17", "at=1 scale=0", "at=1 scale=inf",
+        "at=1 unit=mm", "id=256 at=1", "at=4095 type=s16", "at=1 at=2 at=3 at=4", "at=1 speed=3"})
     EXPECT_FALSE(GaugeReport::parse(bad)) << bad;
 }
 
@@ -216,8 +205,7 @@ TEST(HidGauge, TellsEachReportInItsDirection) {
   const auto report = GaugeReport::parse("id=1 at=0 type=s16 scale=0.1").value();
   HidGauge gauge(std::make_unique<ScriptedHid>(
                      std::deque<HidBytes>{{1, 10, 0}, {2, 99, 0}, {1, 0xFF, 0x7F}, {1, 20, 0}, {}}),
-                 report,
-                 GaugeDirections::parse("-z").value());
+                 report, GaugeDirections::parse("-z").value());
   const GaugeUpdate news = gauge.read(10).value();
   ASSERT_EQ(news.samples.size(), 3U) << "the other report is none";
   EXPECT_TRUE(news.samples[0].force_N.isApprox(Eigen::Vector3d(0, 0, -1), 1e-12));
@@ -259,9 +247,8 @@ class SpokenGauge {
     explicit Source(SpokenGauge& gauge) : gauge_(gauge) {}
     Result<GaugeUpdate> read(int timeout_ms) override {
       std::unique_lock lock(gauge_.mutex_);
-      gauge_.changed_.wait_for(lock, std::chrono::milliseconds(timeout_ms), [&] {
-        return gauge_.is_gone_ || !gauge_.said_.empty();
-      });
+      gauge_.changed_.wait_for(lock, std::chrono::milliseconds(timeout_ms),
+                               [&] { return gauge_.is_gone_ || !gauge_.said_.empty(); });
       if (gauge_.is_gone_)
         return Error{en::say("the serial line is gone"), std::string("spoken"), ""};
       GaugeUpdate news;
@@ -319,14 +306,11 @@ TEST(GaugeLog, KeepsReadingsOnTheFramesClock) {
   ASSERT_TRUE(counts);
   EXPECT_EQ(counts->readings, 2U);
   EXPECT_EQ(counts->without_force, 1U);
-  EXPECT_EQ(text(),
-            fmt::format("# alltact-gauge/1\n# gauge: serial:/dev/ttyUSB0\n"
-                        "t_s,fx_n,fy_n,fz_n,sd_n,holds,block,indenter\n"
-                        "{:.6f},1.25,0,0,0.01,0,,\n{:.6f},,,,,0,,\n"
-                        "{:.6f},0,-2,0,,1,typed 1,ball\n",
-                        now_s,
-                        now_s + 0.1,
-                        now_s + 0.2));
+  EXPECT_EQ(text(), fmt::format("# alltact-gauge/1\n# gauge: serial:/dev/ttyUSB0\n"
+                                "t_s,fx_n,fy_n,fz_n,sd_n,holds,block,indenter\n"
+                                "{:.6f},1.25,0,0,0.01,0,,\n{:.6f},,,,,0,,\n"
+                                "{:.6f},0,-2,0,,1,typed 1,ball\n",
+                                now_s, now_s + 0.1, now_s + 0.2));
 }
 
 TEST(GaugeLog, OfOtherClocksItFollowsTheFrames) {

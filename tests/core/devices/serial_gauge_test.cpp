@@ -24,8 +24,7 @@ SerialGaugeOptions on(const SerialLine& line, const char* ask = "") {
 }
 
 /// What the gauge tells until there are so many samples, or a few seconds are over.
-std::vector<GaugeSample> samples_of(GaugeSource& gauge,
-                                    std::size_t count,
+std::vector<GaugeSample> samples_of(GaugeSource& gauge, std::size_t count,
                                     std::vector<Message>* remarks = nullptr) {
   std::vector<GaugeSample> samples;
   for (int slice = 0; slice < 60 && samples.size() < count; ++slice) {

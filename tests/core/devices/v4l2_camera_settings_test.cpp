@@ -118,12 +118,10 @@ TEST(ChooseFormat, TakesTheLargestThatIsFastEnoughAndLosesLeast) {
   const auto format = [](PixelFormat pixels, int width, int height, std::uint32_t rate) {
     return CameraFormat{static_cast<std::uint32_t>(pixels), width, height, 1, rate};
   };
-  const std::vector<CameraFormat> offered = {format(PixelFormat::kYuyv, 1920, 1080, 5),
-                                             format(PixelFormat::kMjpeg, 1920, 1080, 30),
-                                             format(PixelFormat::kMjpeg, 640, 480, 30),
-                                             format(PixelFormat::kYuyv, 640, 480, 30),
-                                             format(PixelFormat::kGrey, 640, 480, 30),
-                                             {0x34363248, 3840, 2160, 1, 30}};  // H264
+  const std::vector<CameraFormat> offered = {
+      format(PixelFormat::kYuyv, 1920, 1080, 5), format(PixelFormat::kMjpeg, 1920, 1080, 30),
+      format(PixelFormat::kMjpeg, 640, 480, 30), format(PixelFormat::kYuyv, 640, 480, 30),
+      format(PixelFormat::kGrey, 640, 480, 30),  {0x34363248, 3840, 2160, 1, 30}};  // H264
   const auto chosen = [&](const FormatCriteria& criteria) {
     const auto best = choose_format(offered, criteria, "node");
     return best.ok() ? best->text().english() : best.error().sentence();

@@ -31,11 +31,10 @@ void expect_truth(const Frame& frame, int tolerance) {
   int worst = 0;
   for (int v = 0; v < frame.grey.rows; ++v)
     for (int u = 0; u < frame.grey.cols; ++u)
-      worst = std::max(worst,
-                       std::abs(frame.grey.at<std::uint8_t>(v, u) -
-                                FakeCamera::truth(frame.sequence,
-                                                  static_cast<std::uint32_t>(u),
-                                                  static_cast<std::uint32_t>(v))));
+      worst =
+          std::max(worst, std::abs(frame.grey.at<std::uint8_t>(v, u) -
+                                   FakeCamera::truth(frame.sequence, static_cast<std::uint32_t>(u),
+                                                     static_cast<std::uint32_t>(v))));
   EXPECT_LE(worst, tolerance) << frame.name;
 }
 

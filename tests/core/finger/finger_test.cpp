@@ -67,8 +67,7 @@ TEST_F(FingerFile, AMappingThatVariesOverTheFaceComesBack) {
   const std::string plain = "  covariance: [[0.0001, 0.00001], [0.00001, 0.0002]]\n";
   const auto place = text.find(plain);
   ASSERT_NE(place, std::string::npos);
-  text.replace(place,
-               plain.size(),
+  text.replace(place, plain.size(),
                "  varies: {along: 0.05, across: -0.01, middle_mm: [52.0, 0.5], half_mm: [30.0, "
                "6.0]}\n  covariance: [[0.0001, 0.0, 0.0, 0.0], [0.0, 0.0002, 0.0, 0.0], [0.0, 0.0, "
                "0.0004, 0.0], [0.0, 0.0, 0.0, 0.0005]]\n");
@@ -187,9 +186,8 @@ TEST_F(FingerFile, UnknownKeysAreKeptAtEveryLevelAndWarnedOf) {
   const std::string once = saved(*finger);
   for (const char* section :
        {"camera", "face", "markers", "mapping", "reference", "contact", "force"})
-    EXPECT_THAT(
-        once,
-        HasSubstr(fmt::format("new_in_{}: {{a: [1, two, \"3\", ~], b: !<!colour> red}}", section)));
+    EXPECT_THAT(once, HasSubstr(fmt::format(
+                          "new_in_{}: {{a: [1, two, \"3\", ~], b: !<!colour> red}}", section)));
   EXPECT_THAT(once, HasSubstr("later: [1.50, {deep: [yes, \"no: maybe\"]}]"));
   EXPECT_THAT(once, HasSubstr("\"odd key: x\": \"several\\nlines\\n\""));
   EXPECT_THAT(once, HasSubstr("  nested: {x: 1}"));
@@ -270,10 +268,8 @@ TEST_F(FingerFile, AnyNumberOfTheCameraChangesItsFingerprint) {
   const std::string before = camera_fingerprint(camera);
   EXPECT_EQ(before.size(), 16U);
   EXPECT_EQ(camera_fingerprint(load(saved(*finger))->camera), before) << "through a file";
-  for (double CameraParameters::*member : {&CameraParameters::fx_px,
-                                           &CameraParameters::fy_px,
-                                           &CameraParameters::cx_px,
-                                           &CameraParameters::cy_px}) {
+  for (double CameraParameters::*member : {&CameraParameters::fx_px, &CameraParameters::fy_px,
+                                           &CameraParameters::cx_px, &CameraParameters::cy_px}) {
     CameraParameters other = camera;
     other.*member = std::nextafter(other.*member, 1e9);
     EXPECT_NE(camera_fingerprint(other), before);

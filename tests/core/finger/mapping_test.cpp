@@ -152,8 +152,8 @@ TEST(Mapping, SlopeIsTheDerivative) {
                                    by_definition(mapping.parameters(), x - h)) /
                                   (2 * h);
       const double scale = mapping.depth_mm(mapping.x_max()) / mapping.x_max();
-      EXPECT_NEAR(
-          mapping.slope_mm(static_cast<double>(x)), static_cast<double>(numeric), 1e-8 * scale);
+      EXPECT_NEAR(mapping.slope_mm(static_cast<double>(x)), static_cast<double>(numeric),
+                  1e-8 * scale);
     }
 }
 
@@ -309,8 +309,8 @@ TEST(Mapping, SpreadOverTheFaceIsThatOfItsLinearisation) {
         const Eigen::Vector4d h = 1e-6 * Eigen::Vector4d::Unit(k);
         gradient[k] = (depth(h, x, place) - depth(-h, x, place)) / 2e-6;
       }
-      EXPECT_NEAR(
-          mapping.depth_sd_mm(x, place), std::sqrt(gradient.dot(p.covariance * gradient)), 1e-8);
+      EXPECT_NEAR(mapping.depth_sd_mm(x, place), std::sqrt(gradient.dot(p.covariance * gradient)),
+                  1e-8);
     }
   EXPECT_EQ(mapping.depth_sd_mm(0.3), mapping.depth_sd_mm(0.3, {50.0, 1.0}));
 }

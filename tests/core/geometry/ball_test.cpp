@@ -54,12 +54,11 @@ TEST(Ball, AnglesKeepTheirDigitsDownToNothing) {
     const Eigen::Vector3d on_plane = c + across * (c.norm() * std::tan(alpha));
     const Long3 pl = on_plane.cast<long double>(), cl = c.cast<long double>();
     const long double exact = std::atan2((pl - cl).cross(cl).norm(), pl.dot(cl));
-    EXPECT_NEAR(angle_between(on_plane, c),
-                static_cast<double>(exact),
+    EXPECT_NEAR(angle_between(on_plane, c), static_cast<double>(exact),
                 8.0 * 2.2e-16 * alpha + 8.0 * 2.2e-16 * c.norm() * 2.2e-16)
         << alpha;
-    EXPECT_NEAR(
-        sine_between(on_plane, c), std::sin(static_cast<double>(exact)), 16.0 * 2.2e-16 * alpha)
+    EXPECT_NEAR(sine_between(on_plane, c), std::sin(static_cast<double>(exact)),
+                16.0 * 2.2e-16 * alpha)
         << alpha;
     EXPECT_TRUE(std::isfinite(sine_between(p, c)));
   }
@@ -102,12 +101,8 @@ TEST(Ball, OutlineIsTheEllipseNotACircle) {
   EXPECT_FALSE(ball_ellipse({40.0, 0.0, 2.9}, 3.0));
 }
 
-std::vector<Eigen::Vector3d> outline_arc(const Eigen::Vector3d& c,
-                                         double radius,
-                                         double start_deg,
-                                         double arc_deg,
-                                         double noise_px,
-                                         std::mt19937& random) {
+std::vector<Eigen::Vector3d> outline_arc(const Eigen::Vector3d& c, double radius, double start_deg,
+                                         double arc_deg, double noise_px, std::mt19937& random) {
   std::normal_distribution<double> normal;
   std::vector<Eigen::Vector3d> directions;
   const double alpha = std::asin(radius / c.norm());
@@ -119,8 +114,7 @@ std::vector<Eigen::Vector3d> outline_arc(const Eigen::Vector3d& c,
                         std::sin(alpha) * (std::cos(turn) * first + std::sin(turn) * second);
     u /= u.z();
     directions.emplace_back(u.x() + noise_px / 1000.0 * normal(random),
-                            u.y() + noise_px / 1000.0 * normal(random),
-                            1.0);
+                            u.y() + noise_px / 1000.0 * normal(random), 1.0);
   }
   return directions;
 }

@@ -8,13 +8,8 @@
 namespace alltact {
 namespace {
 
-std::vector<Eigen::Vector2d> arc(const Eigen::Vector2d& centre,
-                                 double radius,
-                                 double start_deg,
-                                 double arc_deg,
-                                 int count,
-                                 double noise,
-                                 std::mt19937& random) {
+std::vector<Eigen::Vector2d> arc(const Eigen::Vector2d& centre, double radius, double start_deg,
+                                 double arc_deg, int count, double noise, std::mt19937& random) {
   std::normal_distribution<double> normal;
   std::vector<Eigen::Vector2d> points;
   for (int i = 0; i < count; ++i) {

@@ -66,8 +66,7 @@ TEST_F(Rigid, KeepsDistancesAnglesAndHands) {
     EXPECT_NEAR((there.point(p) - there.point(q)).norm(), (p - q).norm(), 1e-11);
     EXPECT_NEAR(there.direction(p).dot(there.direction(q)), p.dot(q), 1e-9);
     const double volume = p.cross(q).dot(r);
-    EXPECT_NEAR(there.direction(p).cross(there.direction(q)).dot(there.direction(r)),
-                volume,
+    EXPECT_NEAR(there.direction(p).cross(there.direction(q)).dot(there.direction(r)), volume,
                 1e-12 * 200 * 200 * 200);
   }
 }

@@ -151,8 +151,7 @@ TEST(Gripper, AFingersOwnFileCanSayWhereItsCameraWas) {
   EXPECT_NEAR(
       (elsewhere->fingers[0].gripper_from_camera.point(pivot_seen) - Eigen::Vector3d(-30, 8, 20))
           .norm(),
-      0,
-      1e-11);
+      0, 1e-11);
   EXPECT_GT(elsewhere->fingers[0].gripper_from_camera.rotation.angularDistance(known.rotation),
             0.05);
   finger->gripper_from_camera.reset();
@@ -190,22 +189,9 @@ TEST(GripperFile, EveryLineRemovedOrSpoiledIsNamedOrOptional) {
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const std::size_t colon = lines[i].find(':');
     std::vector<std::string> variants{""};
-    for (const char* value : {"purple",
-                              "-3",
-                              ".nan",
-                              ".inf",
-                              "",
-                              "~",
-                              "1e300",
-                              "[]",
-                              "[1, [2]]",
-                              "[.nan, 1.0]",
-                              "{a: 1}",
-                              "\"5\"",
-                              "[",
-                              "*nowhere",
-                              "[1.0, 2.0, 3.0]",
-                              "{translation_mm: [0, 0, .nan]}"})
+    for (const char* value :
+         {"purple", "-3", ".nan", ".inf", "", "~", "1e300", "[]", "[1, [2]]", "[.nan, 1.0]",
+          "{a: 1}", "\"5\"", "[", "*nowhere", "[1.0, 2.0, 3.0]", "{translation_mm: [0, 0, .nan]}"})
       variants.push_back(fmt::format("{}: {}", lines[i].substr(0, colon), value));
     for (const std::string& variant : variants) {
       if (variant == lines[i] + " ") continue;  // a block as it was

@@ -24,14 +24,10 @@ Gripper held_gripper() {
   return *gripper;
 }
 
-double axial_apart(double a_deg, double b_deg) {
-  return std::remainder(a_deg - b_deg, 180.0);
-}
+double axial_apart(double a_deg, double b_deg) { return std::remainder(a_deg - b_deg, 180.0); }
 
 /// A contact of a stick of this direction in the gripper, as the finger's camera sees it.
-ObservedContact contact_in(const FingerPose& finger,
-                           const Vector& at_mm,
-                           const Vector& along,
+ObservedContact contact_in(const FingerPose& finger, const Vector& at_mm, const Vector& along,
                            const Vector& normal) {
   const RigidTransform camera = finger.gripper_from_camera.inverse();
   ObservedContact contact;
@@ -69,8 +65,8 @@ TEST(HeldObject, ItsWidthIsAsSureAsItSays) {
     contacts[1].position_covariance_mm2.reset();
     EXPECT_FALSE(held_width(*pose, contacts).sd_mm) << "absent, never zero";
   }
-  std::printf(
-      "[ figures  ] width: normalised error squared %.3f, bias %.4f mm\n", normalised, mean);
+  std::printf("[ figures  ] width: normalised error squared %.3f, bias %.4f mm\n", normalised,
+              mean);
   EXPECT_NEAR(normalised, 1, 4 * std::sqrt(2.0 / kRuns));
   EXPECT_LT(std::abs(mean), 0.02);
 }
@@ -164,9 +160,7 @@ TEST(HeldObject, TurnsOfOneFingerAndOfTwoAreAsSureAsTheySay) {
   std::printf(
       "[ figures  ] upright turn: normalised error squared %.3f of one finger, %.3f of two; "
       "their difference %.3f\n",
-      one,
-      both,
-      apart);
+      one, both, apart);
   EXPECT_NEAR(one, 1, 4 * std::sqrt(1.0 / kRuns));
   EXPECT_NEAR(both, 1, 4 * std::sqrt(2.0 / kRuns));
   EXPECT_NEAR(apart, 1, 4 * std::sqrt(2.0 / kRuns));
@@ -192,8 +186,8 @@ TEST(HeldObject, TheMeanOfAxesHasNoSeamAndSaysWhenTheyDiffer) {
 }
 
 /// A dome towards the other finger, its top at x in the gripper, as that finger's camera sees it.
-cv::Mat dome(
-    const FingerPose& finger, double top_x, double way, const cv::Mat& noise_mm, double z_error) {
+cv::Mat dome(const FingerPose& finger, double top_x, double way, const cv::Mat& noise_mm,
+             double z_error) {
   constexpr int kSide = 90;
   const RigidTransform camera = finger.gripper_from_camera.inverse();
   cv::Mat points(kSide, kSide, CV_32FC3);
@@ -204,8 +198,8 @@ cv::Mat dome(
       Vector seen = camera.point(at);
       seen += z_error / seen.z() * seen;
       seen.z() += noise_mm.empty() ? 0.0 : static_cast<double>(noise_mm.at<float>(v, u));
-      points.at<cv::Vec3f>(v, u) = {
-          static_cast<float>(seen.x()), static_cast<float>(seen.y()), static_cast<float>(seen.z())};
+      points.at<cv::Vec3f>(v, u) = {static_cast<float>(seen.x()), static_cast<float>(seen.y()),
+                                    static_cast<float>(seen.z())};
     }
   return points;
 }
@@ -247,9 +241,7 @@ TEST(FaceGap, IsThatOfTwoDomesAndAsSureAsItSays) {
   std::printf(
       "[ figures  ] gap: normalised error squared %.3f, bias %.4f mm (nearest points as they "
       "are: %.4f mm)\n",
-      normalised,
-      bias,
-      plain);
+      normalised, bias, plain);
   EXPECT_NEAR(normalised, 1, 4 * std::sqrt(2.0 / kRuns));
   EXPECT_LT(std::abs(bias), std::abs(plain));
 }

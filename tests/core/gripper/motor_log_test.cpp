@@ -36,17 +36,8 @@ TEST(MotorLog, WhatIsNoTableIsRefusedByFileAndLine) {
   EXPECT_THAT(refusal(head), HasSubstr("fewer than two"));
   EXPECT_THAT(refusal("turns\n1\n"), HasSubstr("motor.csv:1: must be 'time_ns,turns'"));
   EXPECT_THAT(refusal(head + "1,3\n"), HasSubstr("motor.csv:3: the time is not after"));
-  for (const char* line : {"2",
-                           "2,",
-                           "2,nan",
-                           "2,inf",
-                           "2.5,1",
-                           "a,1",
-                           "2,1,3",
-                           " 2,1",
-                           "2,1e999",
-                           "99999999999999999999,1",
-                           "\n3,1"})
+  for (const char* line : {"2", "2,", "2,nan", "2,inf", "2.5,1", "a,1", "2,1,3", " 2,1", "2,1e999",
+                           "99999999999999999999,1", "\n3,1"})
     EXPECT_THAT(refusal(head + line + "\n"), HasSubstr("motor.csv:3: must be a time")) << line;
   EXPECT_FALSE(MotorLog::load("/nowhere/motor.csv"));
 }

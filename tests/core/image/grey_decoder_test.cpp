@@ -24,8 +24,7 @@ std::vector<std::uint8_t> jpeg_of(const cv::Mat& image) {
   return bytes;
 }
 
-Result<cv::Mat> decode(PixelFormat format,
-                       const std::vector<std::uint8_t>& bytes,
+Result<cv::Mat> decode(PixelFormat format, const std::vector<std::uint8_t>& bytes,
                        std::size_t stride = 0) {
   GreyDecoder decoder;
   return decoder(format, kWidth, kHeight, stride, bytes);
@@ -38,8 +37,7 @@ TEST(GreyDecoder, RawFormatsGiveTheirBrightnessWithPaddedRowsToo) {
     PixelFormat format;
     int bytes, offset;
   };
-  for (const Case& c : {Case{PixelFormat::kGrey, 1, 0},
-                        Case{PixelFormat::kYuyv, 2, 0},
+  for (const Case& c : {Case{PixelFormat::kGrey, 1, 0}, Case{PixelFormat::kYuyv, 2, 0},
                         Case{PixelFormat::kY16, 2, 1}})
     for (const std::size_t padding : {0U, 7U}) {
       const std::size_t stride = kWidth * static_cast<std::size_t>(c.bytes) + padding;

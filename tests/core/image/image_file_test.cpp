@@ -25,8 +25,7 @@ cv::Mat noise(int type, double high, int width = 61, int height = 37) {
   return image;
 }
 
-std::string encoded(const std::string& ending,
-                    const cv::Mat& image,
+std::string encoded(const std::string& ending, const cv::Mat& image,
                     const std::vector<int>& options = {}) {
   std::vector<unsigned char> bytes;
   EXPECT_TRUE(cv::imencode(ending, image, bytes, options));

@@ -50,8 +50,7 @@ SourceOpener gives(int frames, bool is_ending) {
 template <class Condition>
 bool comes_true(const Condition& condition) {
   for (const auto end = std::chrono::steady_clock::now() + 10s;
-       std::chrono::steady_clock::now() < end;
-       std::this_thread::sleep_for(1ms))
+       std::chrono::steady_clock::now() < end; std::this_thread::sleep_for(1ms))
     if (condition()) return true;
   return condition();
 }

@@ -52,8 +52,8 @@ class SurfaceFile : public testing::Test {
   SurfaceFile() : points_(4, 5, CV_32FC3), depth_(4, 5, CV_32FC1) {
     for (int v = 0; v < 4; ++v) {
       for (int u = 0; u < 5; ++u) {
-        points_.at<cv::Vec3f>(v, u) = {
-            0.5F * static_cast<float>(u), 0.25F * static_cast<float>(v), 40};
+        points_.at<cv::Vec3f>(v, u) = {0.5F * static_cast<float>(u), 0.25F * static_cast<float>(v),
+                                       40};
         depth_.at<float>(v, u) = static_cast<float>(10 * v + u);
       }
     }

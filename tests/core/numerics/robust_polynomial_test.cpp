@@ -12,9 +12,7 @@ struct Points {
   std::vector<char> valid;
 };
 
-double curve(double x) {
-  return 40.0 + 0.3 * x - 4e-4 * x * x + 2e-7 * x * x * x;
-}
+double curve(double x) { return 40.0 + 0.3 * x - 4e-4 * x * x + 2e-7 * x * x * x; }
 
 Points sampled(double noise_sd, unsigned seed) {
   std::mt19937 engine(seed);

@@ -19,9 +19,8 @@ TEST(VectorMath, IsWithinItsBoundsOfTheFunctionsItStandsFor) {
     const auto z = static_cast<float>(2 * part), power = static_cast<float>(0.1 + 9 * part);
     if (z > 1e-4F) {
       const double expected = std::pow(double{z}, double{power});
-      pow_off = std::max(pow_off,
-                         std::abs(vector_pow(z, power) / expected - 1) /
-                             std::max(1.0, std::abs(power * std::log(double{z}))));
+      pow_off = std::max(pow_off, std::abs(vector_pow(z, power) / expected - 1) /
+                                      std::max(1.0, std::abs(power * std::log(double{z}))));
     }
     const auto turns = static_cast<float>(-3 + 6 * part);
     cos_off =

@@ -72,8 +72,7 @@ inline std::vector<std::uint8_t> bytes_by_ffmpeg(const std::string& file, bool i
 }
 
 /// The same of the first `count` frames.
-inline std::vector<std::uint8_t> expected_bytes(std::uint32_t count,
-                                                bool is_jpeg,
+inline std::vector<std::uint8_t> expected_bytes(std::uint32_t count, bool is_jpeg,
                                                 cv::Size size = {64, 48}) {
   std::vector<std::uint8_t> bytes;
   for (std::uint32_t i = 0; i < count; ++i) {

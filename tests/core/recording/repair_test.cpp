@@ -26,8 +26,7 @@ namespace {
 using testing::HasSubstr;
 
 /// Runs recording_child for a while and kills it; how many frames its camera had given by then.
-std::uint32_t killed_recording(const fs::path& file,
-                               const char* codec,
+std::uint32_t killed_recording(const fs::path& file, const char* codec,
                                std::chrono::milliseconds after) {
   const fs::path counter = file.parent_path() / "counter";
   std::ofstream(counter, std::ios::binary).write("\0\0\0\0", 4);
@@ -37,8 +36,8 @@ std::uint32_t killed_recording(const fs::path& file,
   EXPECT_NE(shared, MAP_FAILED);
   const auto* given = static_cast<const std::atomic<std::uint32_t>*>(shared);
   std::string words[] = {ALLTACT_RECORDING_CHILD, file.string(), codec, "100", counter.string()};
-  char* arguments[] = {
-      words[0].data(), words[1].data(), words[2].data(), words[3].data(), words[4].data(), nullptr};
+  char* arguments[] = {words[0].data(), words[1].data(), words[2].data(),
+                       words[3].data(), words[4].data(), nullptr};
   pid_t child = 0;
   EXPECT_EQ(posix_spawn(&child, arguments[0], nullptr, nullptr, arguments, environ), 0);
   const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds(20);

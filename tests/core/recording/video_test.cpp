@@ -25,11 +25,8 @@ using testing::HasSubstr;
 
 constexpr std::uint32_t kFrames = 40;
 
-Status write_video(const fs::path& file,
-                   VideoCodec codec,
-                   std::uint32_t frames,
-                   cv::Size size = {64, 48},
-                   bool is_jpeg = false) {
+Status write_video(const fs::path& file, VideoCodec codec, std::uint32_t frames,
+                   cv::Size size = {64, 48}, bool is_jpeg = false) {
   auto writer = VideoWriter::create(file, *camera_frame(0, is_jpeg, size), codec, 30);
   if (!writer) return writer.error();
   for (std::uint32_t i = 0; i < frames; ++i)
@@ -141,10 +138,8 @@ TEST_P(Video, EveryFrameIsInTheFileAsSoonAsItWasAdded) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Codecs,
-                         Video,
-                         testing::Values(VideoCodec::kMagicYuv,
-                                         VideoCodec::kFfv1,
+INSTANTIATE_TEST_SUITE_P(Codecs, Video,
+                         testing::Values(VideoCodec::kMagicYuv, VideoCodec::kFfv1,
                                          VideoCodec::kMjpeg),
                          [](const auto& info) -> std::string {
                            if (info.param == VideoCodec::kMjpeg) return "Mjpeg";
@@ -362,8 +357,7 @@ TEST(Journal, TimesAndSequenceOfAVideoComeFromIt) {
   EXPECT_EQ((*video->frame(2))->time_ns, camera_frame(10, false)->time_ns);
   EXPECT_EQ((*video->frame(3))->sequence, 11U);
   EXPECT_NEAR(static_cast<double>((*video->frame(3))->time_ns),
-              static_cast<double>(camera_frame(10, false)->time_ns),
-              1e6);
+              static_cast<double>(camera_frame(10, false)->time_ns), 1e6);
 }
 
 }  // namespace

@@ -26,8 +26,8 @@ FramePtr frame_of(const cv::Mat& grey) {
 
 FrameResult measured(const cv::Mat& untouched, const cv::Mat& pressed, const Finger& finger) {
   const FingerSnapshot snapshot = FingerSnapshot::of({}, finger).value();
-  Pipeline pipeline = Pipeline::with_library(
-      ReferenceLibrary::single(untouched).value(), snapshot, PipelineSettings{});
+  Pipeline pipeline = Pipeline::with_library(ReferenceLibrary::single(untouched).value(), snapshot,
+                                             PipelineSettings{});
   auto result = pipeline(frame_of(pressed));
   EXPECT_TRUE(result.ok());
   return std::move(result).value();
@@ -90,8 +90,8 @@ TEST(BulgeReading, OfUntouchedSkinNoiseHasNoBias) {
   double mean_mm = 0;
   constexpr int kPictures = 40;
   for (int i = 0; i < kPictures; ++i) {
-    const FrameResult result = measured(
-        untouched_picture(100 + 2 * i), untouched_picture(101 + 2 * i), flat_sensor_finger(true));
+    const FrameResult result = measured(untouched_picture(100 + 2 * i),
+                                        untouched_picture(101 + 2 * i), flat_sensor_finger(true));
     mean_mm +=
         cv::mean(result.depth->depth_mm, result.depth->depth_mm == result.depth->depth_mm)[0];
     regions += static_cast<int>(result.regions.size());

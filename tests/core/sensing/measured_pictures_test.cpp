@@ -81,8 +81,7 @@ TEST(Resolution, TellsTheSameMillimetresOfFewerPixels) {
     EXPECT_NEAR(result.regions[0].deepest_mm, depth_mm, 0.03) << word;
     // Regions are of cells of 4 px, whatever the pixels.
     EXPECT_NEAR(result.regions[0].area_mm2 / whole.regions[0].area_mm2, 1.0, 0.02 * by) << word;
-    EXPECT_NEAR(result.regions[0].volume_mm3,
-                whole.regions[0].volume_mm3,
+    EXPECT_NEAR(result.regions[0].volume_mm3, whole.regions[0].volume_mm3,
                 0.05 * whole.regions[0].volume_mm3);
     // A third of the whole picture's pixel: centres are where they were.
     EXPECT_LT((result.regions[0].position_mm - whole.regions[0].position_mm).norm(), 0.02) << word;
@@ -225,8 +224,8 @@ TEST(Rays, ParallelOnesTellDepthAtTheSamePixelByTheSlopeAlone) {
   const auto along = [&](bool exact_rays) {
     PipelineSettings settings;
     settings.exact_rays = exact_rays;
-    return Pipeline::with_library(
-               ReferenceLibrary::single(untouched_picture(1)).value(), snapshot, settings)
+    return Pipeline::with_library(ReferenceLibrary::single(untouched_picture(1)).value(), snapshot,
+                                  settings)
         .finger()
         .mapping->along;
   };

@@ -74,8 +74,8 @@ TEST(PaperFace, ProfileIsThePlaneThatWasDrawn) {
 
 TEST(PaperFace, APictureWithoutAFaceIsASentence) {
   const Camera camera = Camera::create(pinhole()).value();
-  const auto none = PaperFace::fit(
-      paper_edges(cv::Mat(camera.size(), CV_8UC1, cv::Scalar(90))), camera, fin_ray());
+  const auto none = PaperFace::fit(paper_edges(cv::Mat(camera.size(), CV_8UC1, cv::Scalar(90))),
+                                   camera, fin_ray());
   ASSERT_FALSE(none.ok());
   EXPECT_NE(none.error().what.english().find("0 of 960 columns"), std::string::npos)
       << none.error().sentence();

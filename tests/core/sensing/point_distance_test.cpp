@@ -15,9 +15,7 @@ FrameResult measured(const Camera& camera, double edge_noise_px, double depth_no
   FrameResult result;
   result.shape =
       FaceShape::fit(plane_edges(kSlope, camera, edge_noise_px, static_cast<unsigned>(seed)),
-                     camera,
-                     plane_face(),
-                     7)
+                     camera, plane_face(), 7)
           .value();
   DepthMap depth;
   depth.depth_mm.create(camera.size(), CV_32FC1);

@@ -15,8 +15,7 @@ constexpr double kStepMm = 0.1, kFaceZMm = 60;
 
 /// A patch of a face z = 60 mm, 61 x 61 pixels of a tenth of a millimetre, into which `depth_mm` is
 /// pressed. Noise is independent from pixel to pixel.
-SurfacePatch pressed(const std::function<double(double, double)>& depth_mm,
-                     double noise_mm,
+SurfacePatch pressed(const std::function<double(double, double)>& depth_mm, double noise_mm,
                      unsigned seed) {
   std::mt19937 random(seed);
   std::normal_distribution<double> normal;
@@ -251,8 +250,7 @@ TEST(SurfacePatchTest, AStepIsNoDeeperThanWhatItIsToldFrom) {
         [&](double s) {
           return a * std::sin(s * (1 + std::abs(b))) * std::abs(c) + (s > at ? 0.2 * b : 0.0);
         },
-        0.01,
-        seed);
+        0.01, seed);
     const auto step = step_height(line.points, line.along_mm);
     if (!step) continue;
     ++told;

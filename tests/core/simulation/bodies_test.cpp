@@ -122,8 +122,7 @@ std::vector<std::array<Eigen::Vector3f, 3>> facetted_ball(float radius, bool clo
     const double azimuth = 2 * std::numbers::pi * (i % kRound) / kRound;
     if (k == 0 || k == kUp) return {0, 0, k == 0 ? radius : -radius};
     return (radius * Eigen::Vector3d(std::sin(polar) * std::cos(azimuth),
-                                     std::sin(polar) * std::sin(azimuth),
-                                     std::cos(polar)))
+                                     std::sin(polar) * std::sin(azimuth), std::cos(polar)))
         .cast<float>();
   };
   std::vector<std::array<Eigen::Vector3f, 3>> triangles;
@@ -172,17 +171,14 @@ TEST_F(Meshes, ABallOfTrianglesIsTheBall) {
   for (int i = 0; i < 6; ++i) {
     const std::string pose =
         fmt::format("motion: {{kind: hold, pose: {{q1_mm: {}, sway_mm: {}, twist_deg: {}}}}}\n",
-                    5 * unit(random),
-                    2 * unit(random),
-                    i < 2 ? 0.0 : 15 * unit(random));
+                    5 * unit(random), 2 * unit(random), i < 2 ? 0.0 : 15 * unit(random));
     const std::string moves =
         "  - {use: bend, q1_mm: {from: -6, to: 6}, q2_mm: {from: -6, to: 6}}\n"
         "  - {use: sway, sway_mm: {from: -4, to: 4}}\n"
         "  - {use: twist, twist_deg: {from: -30, to: 30}}\n";
-    const std::string place = fmt::format("s_mm: {}, y_mm: {}, depth_mm: {}",
-                                          60 + 25 * unit(random),
-                                          6 * unit(random),
-                                          0.7 + 0.5 * unit(random));
+    const std::string place =
+        fmt::format("s_mm: {}, y_mm: {}, depth_mm: {}", 60 + 25 * unit(random), 6 * unit(random),
+                    0.7 + 0.5 * unit(random));
     const std::string mesh = i % 2 == 0 ? "file: ball.stl" : "file: ball.obj, scale: 10";
     const std::string turned = fmt::format("rotation_deg: {}", 180 * unit(random));
     const cv::Mat ball =
@@ -190,11 +186,11 @@ TEST_F(Meshes, ABallOfTrianglesIsTheBall) {
                 pose + scene_text(moves + "  - {use: ball, radius_mm: 4, " + place + "}\n"))
             .truth(0)
             .depth_mm;
-    const cv::Mat facets = plan_in(folder_.path(),
-                                   pose + scene_text(moves + "  - {use: mesh, " + mesh + ", " +
-                                                     turned + ", " + place + "}\n"))
-                               .truth(0)
-                               .depth_mm;
+    const cv::Mat facets =
+        plan_in(folder_.path(), pose + scene_text(moves + "  - {use: mesh, " + mesh + ", " +
+                                                  turned + ", " + place + "}\n"))
+            .truth(0)
+            .depth_mm;
     cv::Mat difference;
     cv::absdiff(ball, facets, difference);
     cv::patchNaNs(difference, 0);
@@ -316,8 +312,7 @@ TEST(TruthMaps, TellWhatTouchesAndHowItLies) {
       if (contact == 0) continue;
       const Truth::Ball& ball = truth.balls[static_cast<std::size_t>(contact) - 1];
       const double z = truth.view_z_mm.at<float>(v, u);
-      const Eigen::Vector3d outer((u - 158.5) / 170 * z,
-                                  (v - 90.25) / 172 * z,
+      const Eigen::Vector3d outer((u - 158.5) / 170 * z, (v - 90.25) / 172 * z,
                                   truth.untouched_z_mm.at<float>(v, u) - double{depth});
       EXPECT_NEAR((outer - ball.centre_mm).norm(), ball.radius_mm, 5e-5);
       const Eigen::Vector3d normal = (ball.centre_mm - outer).normalized();

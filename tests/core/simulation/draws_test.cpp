@@ -56,16 +56,13 @@ std::vector<Drawer> sensor_drawers(Parameters& random) {
   return {
       {fmt::format("fixed-pattern, prnu: {}, dsnu: {}", prnu, dsnu),
        [=](int frame, int v, float* value) {
-         each("fixed-pattern.prnu", 0, [&](float n, float& x) {
-           x += x * static_cast<float>(prnu) * n;
-         })(frame, v, value);
-         each("fixed-pattern.dsnu", 0, [&](float n, float& x) {
-           x += static_cast<float>(dsnu) * n;
-         })(frame, v, value);
+         each("fixed-pattern.prnu", 0,
+              [&](float n, float& x) { x += x * static_cast<float>(prnu) * n; })(frame, v, value);
+         each("fixed-pattern.dsnu", 0,
+              [&](float n, float& x) { x += static_cast<float>(dsnu) * n; })(frame, v, value);
        }},
       {fmt::format("shot, gain: {}", gain),
-       each("shot",
-            -1,
+       each("shot", -1,
             [=](float n, float& x) {
               x += std::sqrt(static_cast<float>(gain) * std::max(x, 0.0F)) * n;
             })},
@@ -111,8 +108,7 @@ TEST(Draws, OfTheSensorAreTheSameNextToAnyOthers) {
   const std::vector<std::string> light{
       "speck, s_mm: {from: -2, to: 2}, y_mm: {from: -1, to: 1}, radius_mm: 0.7, darkness: 0.4",
       "hole, s_mm: {from: -3, to: 3}, y_mm: 0, radius_mm: {from: 0.2, to: 1}, level: 60",
-      "uneven-layer, share: 0.08, length_mm: 3",
-      "layer, scatter_per_mm: 0.6, along: z",
+      "uneven-layer, share: 0.08, length_mm: 3", "layer, scatter_per_mm: 0.6, along: z",
       "leds, lamps: [{at_mm: [1, -3, -2], power: 200000}]"};
   const auto drawers = sensor_drawers(random);
   const unsigned all = 1U << drawers.size();
@@ -147,10 +143,9 @@ std::vector<bool> visible_dots(int frame, std::size_t n) {
   std::vector<bool> visible(n, true);
   const auto count = static_cast<std::size_t>(std::lround(drawn("occlusion.count", frame, 1, 9)));
   for (std::size_t i = 0; i < count; ++i) {
-    const double unit = philox_uniform(effect_seed(),
-                                       "occlusion.which",
-                                       static_cast<std::uint32_t>(frame),
-                                       static_cast<std::uint32_t>(i));
+    const double unit =
+        philox_uniform(effect_seed(), "occlusion.which", static_cast<std::uint32_t>(frame),
+                       static_cast<std::uint32_t>(i));
     std::swap(numbers[i], numbers[i + static_cast<std::size_t>(unit * static_cast<double>(n - i))]);
     visible[numbers[i]] = false;
   }
@@ -226,9 +221,7 @@ TEST(Draws, OfPlacesAndTimesAreTheSameNextToAnyOthers) {
 TEST(Draws, OfTheLayersThicknessAreTheSameNextToAnyOthers) {
   const std::string uneven = "  - {use: uneven-layer, share: 0.05, length_mm: 4}\n";
   const cv::Mat alone = plan_of(small_flat(uneven)).truth(0).untouched_z_mm;
-  for (const char* other : {"read, sd: 1",
-                            "shot, gain: 1",
-                            "drop, share: 0.5",
+  for (const char* other : {"read, sd: 1", "shot, gain: 1", "drop, share: 0.5",
                             "hole, s_mm: {from: -1, to: 1}, y_mm: 0, radius_mm: 1, level: 9",
                             "ball, radius_mm: {from: 1, to: 2}, s_mm: 0, y_mm: 0, depth_mm: 0.5"})
     for (const bool before : {true, false}) {

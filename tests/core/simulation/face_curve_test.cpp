@@ -8,8 +8,7 @@ namespace {
 
 FaceCurve random_curve(Parameters& random, double length, double bend) {
   FaceCurve curve({random.between(-30, -20), random.between(-2, 2), random.between(25, 32)},
-                  random.between(-0.2, 0.8),
-                  length);
+                  random.between(-0.2, 0.8), length);
   curve.bend(bend * random.between(-1, 1), bend * random.between(-1, 1));
   if (random.between(0, 1) < 0.5) curve.sway(random.between(-3, 3));
   curve.integrate();

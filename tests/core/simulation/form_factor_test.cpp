@@ -24,11 +24,9 @@ struct Elsewhere {
       : turn(Eigen::AngleAxisd(random.between(-3, 3), a_direction(random)).toRotationMatrix()),
         shift(random.between(-50, 50), random.between(-50, 50), random.between(-50, 50)) {}
   [[nodiscard]] Vector3d operator()(const Vector3d& p) const { return turn * p + shift; }
-  [[nodiscard]] double of(const Vector3d& point,
-                          const Vector3d& normal,
+  [[nodiscard]] double of(const Vector3d& point, const Vector3d& normal,
                           const Quadrilateral& q) const {
-    return form_factor((*this)(point),
-                       turn * normal,
+    return form_factor((*this)(point), turn * normal,
                        {(*this)(q[0]), (*this)(q[1]), (*this)(q[2]), (*this)(q[3])});
   }
   Eigen::Matrix3d turn;
@@ -40,8 +38,8 @@ TEST(FormFactor, OfARectangleOppositeIsHowellsB3) {
   for (int i = 0; i < 200; ++i) {
     const double a = random.between(0.01, 30), b = random.between(0.01, 30),
                  c = random.between(0.01, 30);
-    const Quadrilateral above{
-        Vector3d(0, 0, c), Vector3d(0, b, c), Vector3d(a, b, c), Vector3d(a, 0, c)};
+    const Quadrilateral above{Vector3d(0, 0, c), Vector3d(0, b, c), Vector3d(a, b, c),
+                              Vector3d(a, 0, c)};
     EXPECT_NEAR(Elsewhere(random).of({0, 0, 0}, {0, 0, 1}, above), howell_b3(a, b, c), 1e-13);
     Quadrilateral turned_away = above;
     std::swap(turned_away[1], turned_away[3]);
@@ -56,20 +54,18 @@ TEST(FormFactor, OfARectangleUprightIsHowellsB4) {
     const double height = random.between(0.01, 30), width = random.between(0.01, 30),
                  away = random.between(0.01, 30);
     // Half of it lies below the point's plane and does not count.
-    const Quadrilateral wall{Vector3d(away, 0, -height),
-                             Vector3d(away, 0, height),
-                             Vector3d(away, width, height),
-                             Vector3d(away, width, -height)};
-    EXPECT_NEAR(
-        Elsewhere(random).of({0, 0, 0}, {0, 0, 1}, wall), howell_b4(height, width, away), 1e-12);
+    const Quadrilateral wall{Vector3d(away, 0, -height), Vector3d(away, 0, height),
+                             Vector3d(away, width, height), Vector3d(away, width, -height)};
+    EXPECT_NEAR(Elsewhere(random).of({0, 0, 0}, {0, 0, 1}, wall), howell_b4(height, width, away),
+                1e-12);
   }
 }
 
 TEST(FormFactor, AveragedOverARectangleIsHowellsC14) {
   EXPECT_NEAR(static_cast<double>(howell_c14(1, 1, 1)), 0.20004, 5e-6);  // as the textbooks have it
   for (const auto& [a, b, c] : {std::array{1.0, 1.0, 1.0}, {2.0, 1.0, 0.5}, {24.0, 116.0, 14.0}}) {
-    const Quadrilateral wall{
-        Vector3d(0, 0, 0), Vector3d(0, 0, c), Vector3d(0, b, c), Vector3d(0, b, 0)};
+    const Quadrilateral wall{Vector3d(0, 0, 0), Vector3d(0, 0, c), Vector3d(0, b, c),
+                             Vector3d(0, b, 0)};
     constexpr int kCells = 300;
     double sum = 0;
     for (int i = 0; i < kCells; ++i)
@@ -83,8 +79,8 @@ TEST(FormFactor, OfAllThatIsAroundIsOne) {
   Parameters random(13);
   for (int i = 0; i < 100; ++i) {
     const Elsewhere elsewhere(random);
-    const Vector3d point(
-        random.between(0.01, 0.99), random.between(0.01, 1.99), random.between(0.01, 2.99));
+    const Vector3d point(random.between(0.01, 0.99), random.between(0.01, 1.99),
+                         random.between(0.01, 2.99));
     const Vector3d normal = a_direction(random);
     double sum = 0;
     for (int axis = 0; axis < 3; ++axis)
@@ -106,8 +102,8 @@ TEST(FormFactor, OfAllThatIsAroundIsOne) {
 }
 
 TEST(FormFactor, IsFiniteOnEdgesAndCorners) {
-  const Quadrilateral wall{
-      Vector3d(0, 0, 0), Vector3d(0, 0, 1), Vector3d(0, 1, 1), Vector3d(0, 1, 0)};
+  const Quadrilateral wall{Vector3d(0, 0, 0), Vector3d(0, 0, 1), Vector3d(0, 1, 1),
+                           Vector3d(0, 1, 0)};
   for (const double y : {-1.0, 0.0, 0.5, 1.0, 2.0})
     for (const double x : {0.0, 1e-300, 1e-9})
       for (const double z : {0.0, 1e-12}) {

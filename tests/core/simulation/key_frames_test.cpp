@@ -130,8 +130,7 @@ TEST(KeyFrames, StayBetweenTheirNeighboursForAnyNumbers) {
       reported.push_back(
           fmt::format("{{at: {}, is: {}{}}}",
                       kind(random) == 0 ? fmt::format("{}", at) : fmt::format("{} s", at / 30.0),
-                      keys.back().is,
-                      kind(random) == 0 ? "" : ", by: smooth"));
+                      keys.back().is, kind(random) == 0 ? "" : ", by: smooth"));
     }
     const Varying varying = read_varying(fmt::format("[{}]", fmt::join(reported, ", "))).value();
     for (std::size_t i = 0; i < keys.size(); ++i) {
@@ -156,10 +155,10 @@ TEST(KeyFrames, PressAsAListOfTheirNumbersDoes) {
       "  - {use: layer, scatter_per_mm: 0.6, along: z}\n"
       "  - {use: leds, lamps: [{at_mm: [0, 3, 0], power: 500000}]}\n  - {use: read, sd: 1}\n";
   const auto text = [&](const std::string& s, const std::string& depth) {
-    std::string all = scene_text(
-        fmt::format(
-            "  - {{use: ball, radius_mm: 4, s_mm: {}, y_mm: 1, depth_mm: {}}}\n", s, depth) +
-        rest);
+    std::string all =
+        scene_text(fmt::format("  - {{use: ball, radius_mm: 4, s_mm: {}, y_mm: 1, depth_mm: {}}}\n",
+                               s, depth) +
+                   rest);
     return all.replace(all.find("frames: 3"), 9, "frames: 9");
   };
   std::vector<double> s, depth;

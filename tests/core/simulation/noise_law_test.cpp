@@ -109,8 +109,7 @@ TEST(NoiseLaw, OfShotAndReadTogetherIsTheirSum) {
   for (const double level : {1.0, 17.0, 120.0, 230.0}) {
     const double sd = random.between(0.3, 2), gain = random.between(0.01, 0.3);
     expect_standard_normal(
-        noise_of(fmt::format("shot, gain: {}}}\n  - {{use: read, sd: {}", gain, sd),
-                 level,
+        noise_of(fmt::format("shot, gain: {}}}\n  - {{use: read, sd: {}", gain, sd), level,
                  std::sqrt(sd * sd + gain * level)),
         fmt::format("grey level {}", level));
   }
@@ -129,8 +128,8 @@ TEST(NoiseLaw, FramesEffectsAndScenesShareNothing) {
       {"seed 8", Field(plan_of(million_text("  - {use: read, sd: 1}\n"), 8).render(0) - 1.0)}};
   for (std::size_t i = 0; i < fields.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
-      expect_uncorrelated(
-          fields[i].second, fields[j].second, fields[i].first + " and " + fields[j].first);
+      expect_uncorrelated(fields[i].second, fields[j].second,
+                          fields[i].first + " and " + fields[j].first);
   // The pattern is the camera's: the same in all frames.
   EXPECT_EQ(
       cv::norm(fields[6].second, noise_of("fixed-pattern, prnu: 0.1", 1, 0.1, 77), cv::NORM_INF),
@@ -178,10 +177,8 @@ TEST(NoiseLaw, OfDeadPixelsIsACoinForEachOfThem) {
     expect_share(cv::countNonZero(dead), n, p, "dead pixels");
     const auto both = [&](int u, int v) {
       const cv::Rect here(0, 0, 1000 - u, 1000 - v);
-      expect_share(cv::countNonZero(dead(here).mul(dead(here + cv::Point(u, v)))),
-                   here.area(),
-                   p * p,
-                   fmt::format("both, {} and {} apart", u, v));
+      expect_share(cv::countNonZero(dead(here).mul(dead(here + cv::Point(u, v)))), here.area(),
+                   p * p, fmt::format("both, {} and {} apart", u, v));
     };
     both(1, 0), both(2, 0), both(0, 1), both(1, 1);
     // Counts of the 1000 rows: their variance n p q, known within sqrt(2 / 999) of it and what the
@@ -237,9 +234,7 @@ TEST(NoiseLaw, OfHiddenDotsIsTheSameForEachOfThem) {
   }
   for (std::size_t i = 0; i < 12; ++i)
     for (std::size_t j = 0; j <= i; ++j)
-      expect_share(double(hidden[i][j]),
-                   kFrames,
-                   i == j ? 3.0 / 12 : 3.0 / 12 * 2 / 11,
+      expect_share(double(hidden[i][j]), kFrames, i == j ? 3.0 / 12 : 3.0 / 12 * 2 / 11,
                    fmt::format("dots {} and {}", i, j));
 }
 

@@ -31,11 +31,8 @@ std::string guests(const std::string& presence) {
        {"use: bend, q1_mm: {from: -5, to: 5}, q2_mm: {from: -4, to: 4}",
         "use: sway, sway_mm: {from: -2, to: 2}",
         "use: ball, radius_mm: 4, s_mm: {from: 20, to: 60}, y_mm: 2, depth_mm: 1, give_mm: 2",
-        "use: rolloff, kind: hertz, length_mm: 0.8",
-        "use: bulge, share: 0.03, width_mm: 1.5",
-        "use: occlusion, count: 3",
-        "use: shot, gain: 0.03",
-        "use: quantisation",
+        "use: rolloff, kind: hertz, length_mm: 0.8", "use: bulge, share: 0.03, width_mm: 1.5",
+        "use: occlusion, count: 3", "use: shot, gain: 0.03", "use: quantisation",
         "use: mjpeg, quality: 80"})
     text += fmt::format("  - {{{}{}}}\n", guest, presence);
   return text;
@@ -180,8 +177,8 @@ std::vector<int> frames_to_build(const Listed& scene) {
 TEST(Presence, EveryFrameOfEveryShippedSceneBuildsWhatIsPresentAndNothingElse) {
   std::map<std::string, Stage> stages;
   for (const EffectKind* kind : effect_kinds()) stages[kind->name] = kind->stage;
-  const std::array kWholePicture{
-      "automatic-exposure", "defocus", "motion-blur", "rolling-shutter", "veil"};
+  const std::array kWholePicture{"automatic-exposure", "defocus", "motion-blur", "rolling-shutter",
+                                 "veil"};
   const BuildCount& count = build_count();
   int partly = 0;
   for (const auto& entry :

@@ -27,8 +27,7 @@ std::vector<Ray> row_of_rays(double direction_y) {
   return rays;
 }
 
-void expect_as_one_by_one(const RuledSurface& surface,
-                          const std::vector<Ray>& rays,
+void expect_as_one_by_one(const RuledSurface& surface, const std::vector<Ray>& rays,
                           const std::vector<char>& wanted) {
   const RuledSurface::IntersectionRow row = surface.intersect_row(rays, wanted);
   int is_hit = 0;

@@ -63,8 +63,7 @@ TEST(Scene, WhatIsMisspeltIsRefusedWithTheNearestName) {
 }
 
 TEST(Scene, StrengthZeroIsRefusedWithASentence) {
-  for (const char* effect : {"  - {use: read, sd: 0}\n",
-                             "  - {use: shot, gain: 0.0}\n",
+  for (const char* effect : {"  - {use: read, sd: 0}\n", "  - {use: shot, gain: 0.0}\n",
                              "  - {use: layer, scatter_per_mm: 0, along: z}\n"})
     EXPECT_THAT(refusal(scene_text(effect)), HasSubstr("leave out what is absent")) << effect;
 }
@@ -101,8 +100,7 @@ TEST(Scene, SpoiledNumbersAreRefused) {
     for (const char* wrong : {"pancake", ".nan", ".inf", "[[]]", "1e999", ""}) {
       std::string other = text;
       other.replace(static_cast<std::size_t>(it->position()) + 1,
-                    static_cast<std::size_t>(it->length()) - 1,
-                    wrong);
+                    static_cast<std::size_t>(it->length()) - 1, wrong);
       EXPECT_NE(refusal(other), "") << other;
       ++spoiled;
     }

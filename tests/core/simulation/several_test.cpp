@@ -17,10 +17,7 @@ using testing::HasSubstr;
 
 std::string ball(double radius_mm, double s_mm, double y_mm, double depth_mm) {
   return fmt::format("  - {{use: ball, radius_mm: {}, s_mm: {}, y_mm: {}, depth_mm: {}}}\n",
-                     radius_mm,
-                     s_mm,
-                     y_mm,
-                     depth_mm);
+                     radius_mm, s_mm, y_mm, depth_mm);
 }
 
 const std::string kDrawnBall =
@@ -150,14 +147,11 @@ TEST(Several, EachHasItsOwnNameInErrors) {
 }
 
 TEST(Several, TwoOfWhatThereCanBeOneOfAreRefused) {
-  for (const char* effect : {"bend, q1_mm: {from: -1, to: 1}, q2_mm: {from: -1, to: 1}",
-                             "sway, sway_mm: {from: -1, to: 1}",
-                             "layer, scatter_per_mm: 0.6, along: z",
-                             "sides, albedo: 0.1, depth_mm: 9",
-                             "leds, lamps: [{at_mm: [0, 3, 0], power: 500000}]",
-                             "shot, gain: 0.1",
-                             "quantisation",
-                             "mjpeg, quality: 80"}) {
+  for (const char* effect :
+       {"bend, q1_mm: {from: -1, to: 1}, q2_mm: {from: -1, to: 1}",
+        "sway, sway_mm: {from: -1, to: 1}", "layer, scatter_per_mm: 0.6, along: z",
+        "sides, albedo: 0.1, depth_mm: 9", "leds, lamps: [{at_mm: [0, 3, 0], power: 500000}]",
+        "shot, gain: 0.1", "quantisation", "mjpeg, quality: 80"}) {
     const std::string line = fmt::format("  - {{use: {}}}\n", effect);
     EXPECT_THAT(refusal_to_read(scene_text(line + line)), HasSubstr("test.yaml:11: ")) << effect;
     EXPECT_THAT(refusal_to_read(scene_text(line + line)), HasSubstr("#2.use: the effect"))

@@ -125,11 +125,9 @@ TEST(SimulatedSource, TheShareOfDroppedAndLateFramesIsWhatTheSceneSays) {
 }
 
 TEST(SimulatedSource, FaultsThatCannotBeAreRefused) {
-  for (const char* effect : {"{use: drop, share: 0}",
-                             "{use: drop, share: 1}",
-                             "{use: drop, share: 0.1, run: 0}",
-                             "{use: late, share: 0, by_ms: 3}",
-                             "{use: late, share: 0.1}"}) {
+  for (const char* effect :
+       {"{use: drop, share: 0}", "{use: drop, share: 1}", "{use: drop, share: 0.1, run: 0}",
+        "{use: late, share: 0, by_ms: 3}", "{use: late, share: 0.1}"}) {
     const SceneFile scene("  - " + std::string(effect) + "\n");
     EXPECT_FALSE(open_source({scene.file}).ok()) << effect;
   }

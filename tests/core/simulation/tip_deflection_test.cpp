@@ -15,8 +15,8 @@ const std::string kDots =
     "  - {use: markers, radius_mm: 1, setback_mm: 4, first: 0.1, last: 0.9, albedo: 1}\n";
 
 std::string ball(double s_mm, const std::string& more) {
-  return fmt::format(
-      "  - {{use: ball, radius_mm: 4, s_mm: {}, y_mm: 0, depth_mm: 0.5{}}}\n", s_mm, more);
+  return fmt::format("  - {{use: ball, radius_mm: 4, s_mm: {}, y_mm: 0, depth_mm: 0.5{}}}\n", s_mm,
+                     more);
 }
 
 /// The mix of the two modes that a force at t = a makes, by least elastic energy, summed up in

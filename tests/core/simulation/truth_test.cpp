@@ -53,10 +53,8 @@ CurvePoint cross(const std::vector<CurvePoint>& curve, Real direction) {
     if (a > 0 || b < 0) continue;
     const Real t = a / (a - b);
     const auto mix = [&](Real f, Real g) { return f + t * (g - f); };
-    return {mix(curve[i - 1].s, curve[i].s),
-            mix(curve[i - 1].x, curve[i].x),
-            mix(curve[i - 1].z, curve[i].z),
-            mix(curve[i - 1].theta, curve[i].theta),
+    return {mix(curve[i - 1].s, curve[i].s), mix(curve[i - 1].x, curve[i].x),
+            mix(curve[i - 1].z, curve[i].z), mix(curve[i - 1].theta, curve[i].theta),
             mix(curve[i - 1].shift, curve[i].shift)};
   }
   return {-1, 0, 0, 0, 0};
@@ -64,8 +62,7 @@ CurvePoint cross(const std::vector<CurvePoint>& curve, Real direction) {
 
 std::string text_of(const Pose& pose, const std::string& effects, const std::string& camera = "") {
   return fmt::format("motion: {{kind: hold, pose: {{q1_mm: {}, q2_mm: {}, sway_mm: {}}}}}\n",
-                     static_cast<double>(pose.q1),
-                     static_cast<double>(pose.q2),
+                     static_cast<double>(pose.q1), static_cast<double>(pose.q2),
                      static_cast<double>(pose.sway)) +
          scene_text(
              "  - {use: bend, q1_mm: {from: -6, to: 6}, q2_mm: {from: -6, to: 6}}\n"
@@ -137,10 +134,7 @@ TEST(Truth, BallIsTheBallThatIsPressed) {
         plan_of(text_of(pose,
                         fmt::format(
                             "  - {{use: ball, radius_mm: {}, s_mm: {}, y_mm: {}, depth_mm: {}}}\n",
-                            radius,
-                            s,
-                            y,
-                            depth)))
+                            radius, s, y, depth)))
             .truth(0);
     ASSERT_TRUE(truth.ball);
     // A ray along z through each face point, against the sphere.
@@ -197,8 +191,8 @@ TEST(Truth, BulgeThickensTheLayerAroundAPress) {
                          "  - {use: bulge, share: 0.1, width_mm: 1.5}\n"))
           .truth(0);
   double least = 0;
-  cv::minMaxLoc(
-      truth.depth_mm, &least, nullptr, nullptr, nullptr, truth.depth_mm == truth.depth_mm);
+  cv::minMaxLoc(truth.depth_mm, &least, nullptr, nullptr, nullptr,
+                truth.depth_mm == truth.depth_mm);
   // Highest one width from the rim: 0.1 of the layer along its normal, more along z.
   EXPECT_NEAR(least, -0.15 / std::cos(34 * std::numbers::pi / 180), 0.003);
 }
@@ -229,11 +223,9 @@ TEST(Truth, MarkersAreTheImagesOfTheDots) {
       const auto reach_v = static_cast<int>(1.3 * f * 1.5 * 12 / (z * z) + 2);
       Real sum = 0, sum_u = 0, sum_v = 0;
       for (int v = std::max(0, static_cast<int>(dot.v) - reach_v);
-           v <= std::min(1079, static_cast<int>(dot.v) + reach_v);
-           ++v)
+           v <= std::min(1079, static_cast<int>(dot.v) + reach_v); ++v)
         for (int u = std::max(0, static_cast<int>(dot.u) - reach_u);
-             u <= std::min(1919, static_cast<int>(dot.u) + reach_u);
-             ++u) {
+             u <= std::min(1919, static_cast<int>(dot.u) + reach_u); ++u) {
           const Real value = (image.at<float>(v, u) - 0.001L) / 0.999L;
           if (value <= 0) continue;
           sum += value;

@@ -87,10 +87,7 @@ std::string text_of(const TwistPose& pose, const std::string& effects) {
   return fmt::format(
              "motion: {{kind: hold, pose: {{q1_mm: {}, q2_mm: {}, sway_mm: {}, "
              "twist_deg: {}}}}}\n",
-             pose.q1,
-             pose.q2,
-             pose.sway,
-             pose.twist_deg) +
+             pose.q1, pose.q2, pose.sway, pose.twist_deg) +
          scene_text(
              "  - {use: bend, q1_mm: {from: -6, to: 6}, q2_mm: {from: -6, to: 6}}\n"
              "  - {use: sway, sway_mm: {from: -4, to: 4}}\n"

@@ -22,9 +22,7 @@ namespace {
 using testing::ElementsAre;
 constexpr std::size_t kMost = 1000;
 
-std::optional<Triangles> read(const std::string& bytes) {
-  return read_ply(bytes, kMost);
-}
+std::optional<Triangles> read(const std::string& bytes) { return read_ply(bytes, kMost); }
 
 /// A mesh as OBJ, its points where `rng` has them.
 std::string random_obj(std::mt19937& rng, int points, int faces) {
@@ -123,10 +121,8 @@ TEST(ReadPly, RefusesAHeaderThatIsNone) {
            all({head, points, points, faces}),
            all({head, points, "element face 1\nproperty list uchar int vertex_indices"}),
            all({head, "element vertex 3\nproperty float x\nproperty float y\n", faces}),
-           all({head,
-                "element vertex 4000000000\nproperty float x\nproperty float y\n",
-                "property float z\n",
-                faces}),
+           all({head, "element vertex 4000000000\nproperty float x\nproperty float y\n",
+                "property float z\n", faces}),
        })
     EXPECT_FALSE(read(header + body)) << header;
   EXPECT_FALSE(read(""));
@@ -146,16 +142,12 @@ std::string binary_header(bool is_big_endian, const std::string& type, const std
   return fmt::format(
       "ply\nformat binary_{0}_endian 1.0\nelement vertex 3\nproperty {1} x\nproperty {1} y\n"
       "property {1} z\nelement face 1\nproperty list {2} vertex_indices\nend_header\n",
-      is_big_endian ? "big" : "little",
-      type,
-      list);
+      is_big_endian ? "big" : "little", type, list);
 }
 
 /// One triangle, in whose list it says there are `corners`.
 template <class T, class Length>
-std::string triangle(bool is_big_endian,
-                     const std::string& type,
-                     const std::string& length,
+std::string triangle(bool is_big_endian, const std::string& type, const std::string& length,
                      Length corners) {
   std::string bytes = binary_header(is_big_endian, type, length + " " + type);
   for (const int value : {0, 0, 0, 100, 0, 0, 0, 1, 127})

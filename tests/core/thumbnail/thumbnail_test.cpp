@@ -105,8 +105,7 @@ TEST(MeshThumbnail, WhatIsNearerHidesWhatIsFarther) {
   const MapColour yellow = viridis(1);
   // In the yellow of the nearer plate, darker by its slope towards the light.
   EXPECT_NEAR(static_cast<double>(middle[1]) / middle[2],
-              static_cast<double>(yellow.green) / yellow.red,
-              0.05);
+              static_cast<double>(yellow.green) / yellow.red, 0.05);
   EXPECT_GT(middle[1], 3 * middle[0]);
 }
 

@@ -86,12 +86,8 @@ FakeCamera& camera() {
 
 std::atomic<bool> is_used{false};
 
-bool is_ours(const char* node) {
-  return node != nullptr && rig().options.node == node;
-}
-bool is_ours(int descriptor) {
-  return is_used && camera().owns(descriptor);
-}
+bool is_ours(const char* node) { return node != nullptr && rig().options.node == node; }
+bool is_ours(int descriptor) { return is_used && camera().owns(descriptor); }
 
 template <class Function>
 Function next(const char* name) {
@@ -153,11 +149,7 @@ int ioctl(int descriptor, unsigned long request, ...) noexcept {
 }
 
 #define ALLTACT_MMAP(name)                                                                        \
-  void* name(void* hint,                                                                          \
-             size_t length,                                                                       \
-             int protection,                                                                      \
-             int flags,                                                                           \
-             int descriptor,                                                                      \
+  void* name(void* hint, size_t length, int protection, int flags, int descriptor,                \
              off64_t offset) noexcept {                                                           \
     if (descriptor >= 0 && is_ours(descriptor)) return camera().mmap(length, descriptor, offset); \
     static const auto real = next<void* (*)(void*, size_t, int, int, int, off64_t)>(#name);       \

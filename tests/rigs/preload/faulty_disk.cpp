@@ -63,9 +63,7 @@ bool is_in_folder(const std::string& path) {
          (path.size() == folder.size() || path[folder.size()] == '/');
 }
 
-void note(const std::string& operation,
-          const std::string& path,
-          const void* bytes = nullptr,
+void note(const std::string& operation, const std::string& path, const void* bytes = nullptr,
           std::size_t size = 0) {
   static const int descriptor = [] {
     const char* file = setting("ALLTACT_DISK_LOG");
@@ -139,9 +137,7 @@ ssize_t written(int descriptor, off_t offset, const void* bytes, const Write& wr
 }
 
 template <class Change>
-int changed(const std::string& operation,
-            const std::string& path,
-            const std::string& other,
+int changed(const std::string& operation, const std::string& path, const std::string& other,
             const Change& change) {
   if (!is_in_folder(path) && !is_in_folder(other)) return change();
   const std::lock_guard lock(log_mutex());
@@ -157,15 +153,14 @@ int changed(const std::string& operation,
 
 extern "C" {
 
-#define ALLTACT_OPEN(name)                                               \
-  int name(const char* path, int flags, ...) {                           \
-    va_list arguments;                                                   \
-    va_start(arguments, flags);                                          \
-    const mode_t mode = mode_of(flags, arguments);                       \
-    va_end(arguments);                                                   \
-    return opened(AT_FDCWD, path, flags, [&] {                           \
-      return next<int(const char*, int, ...)>(#name)(path, flags, mode); \
-    });                                                                  \
+#define ALLTACT_OPEN(name)                                                                     \
+  int name(const char* path, int flags, ...) {                                                 \
+    va_list arguments;                                                                         \
+    va_start(arguments, flags);                                                                \
+    const mode_t mode = mode_of(flags, arguments);                                             \
+    va_end(arguments);                                                                         \
+    return opened(AT_FDCWD, path, flags,                                                       \
+                  [&] { return next<int(const char*, int, ...)>(#name)(path, flags, mode); }); \
   }
 ALLTACT_OPEN(open)
 ALLTACT_OPEN(open64)
@@ -203,8 +198,8 @@ ssize_t write(int descriptor, const void* bytes, std::size_t size) {
 }
 ssize_t pwrite64(int descriptor, const void* bytes, std::size_t size, off64_t offset) {
   return written(descriptor, offset, bytes, [&] {
-    return next<ssize_t(int, const void*, std::size_t, off64_t)>("pwrite64")(
-        descriptor, bytes, size, offset);
+    return next<ssize_t(int, const void*, std::size_t, off64_t)>("pwrite64")(descriptor, bytes,
+                                                                             size, offset);
   });
 }
 ssize_t pwrite(int descriptor, const void* bytes, std::size_t size, off_t offset) {
@@ -217,35 +212,29 @@ ssize_t writev(int descriptor, const iovec* pieces, int count) {
   return write(descriptor, bytes.data(), bytes.size());
 }
 int ftruncate64(int descriptor, off64_t length) {
-  return changed(
-      "cut", std::to_string(length) + "." + path_of(descriptor), path_of(descriptor), [&] {
-        return next<int(int, off64_t)>("ftruncate64")(descriptor, length);
-      });
+  return changed("cut", std::to_string(length) + "." + path_of(descriptor), path_of(descriptor),
+                 [&] { return next<int(int, off64_t)>("ftruncate64")(descriptor, length); });
 }
-int ftruncate(int descriptor, off_t length) {
-  return ftruncate64(descriptor, length);
-}
+int ftruncate(int descriptor, off_t length) { return ftruncate64(descriptor, length); }
 int fsync(int descriptor) {
-  return changed(
-      "sync", path_of(descriptor), "", [&] { return next<int(int)>("fsync")(descriptor); });
+  return changed("sync", path_of(descriptor), "",
+                 [&] { return next<int(int)>("fsync")(descriptor); });
 }
 int fdatasync(int descriptor) {
-  return changed(
-      "sync", path_of(descriptor), "", [&] { return next<int(int)>("fdatasync")(descriptor); });
+  return changed("sync", path_of(descriptor), "",
+                 [&] { return next<int(int)>("fdatasync")(descriptor); });
 }
 int syncfs(int descriptor) {
-  return changed(
-      "syncall", path_of(descriptor), "", [&] { return next<int(int)>("syncfs")(descriptor); });
+  return changed("syncall", path_of(descriptor), "",
+                 [&] { return next<int(int)>("syncfs")(descriptor); });
 }
 int rename(const char* from, const char* to) {
-  return changed("rename", whole_path(AT_FDCWD, from), whole_path(AT_FDCWD, to), [&] {
-    return next<int(const char*, const char*)>("rename")(from, to);
-  });
+  return changed("rename", whole_path(AT_FDCWD, from), whole_path(AT_FDCWD, to),
+                 [&] { return next<int(const char*, const char*)>("rename")(from, to); });
 }
 int unlink(const char* path) {
-  return changed("unlink", whole_path(AT_FDCWD, path), "", [&] {
-    return next<int(const char*)>("unlink")(path);
-  });
+  return changed("unlink", whole_path(AT_FDCWD, path), "",
+                 [&] { return next<int(const char*)>("unlink")(path); });
 }
 int remove(const char* path) {
   struct stat status {};
@@ -253,20 +242,16 @@ int remove(const char* path) {
   return is_folder ? rmdir(path) : unlink(path);
 }
 int unlinkat(int folder, const char* path, int flags) {
-  return changed(
-      (flags & AT_REMOVEDIR) != 0 ? "rmdir" : "unlink", whole_path(folder, path), "", [&] {
-        return next<int(int, const char*, int)>("unlinkat")(folder, path, flags);
-      });
+  return changed((flags & AT_REMOVEDIR) != 0 ? "rmdir" : "unlink", whole_path(folder, path), "",
+                 [&] { return next<int(int, const char*, int)>("unlinkat")(folder, path, flags); });
 }
 int rmdir(const char* path) {
-  return changed("rmdir", whole_path(AT_FDCWD, path), "", [&] {
-    return next<int(const char*)>("rmdir")(path);
-  });
+  return changed("rmdir", whole_path(AT_FDCWD, path), "",
+                 [&] { return next<int(const char*)>("rmdir")(path); });
 }
 int mkdir(const char* path, mode_t mode) {
-  return changed("mkdir", whole_path(AT_FDCWD, path), "", [&] {
-    return next<int(const char*, mode_t)>("mkdir")(path, mode);
-  });
+  return changed("mkdir", whole_path(AT_FDCWD, path), "",
+                 [&] { return next<int(const char*, mode_t)>("mkdir")(path, mode); });
 }
 
 int clock_gettime(clockid_t clock, timespec* time) {

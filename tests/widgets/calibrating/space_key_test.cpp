@@ -71,8 +71,7 @@ TEST(PressListView, ChoosesNoneBecauseTheFocusCameBy) {
   QApplication::setActiveWindow(&list);
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&list));
   int chosen = 0;
-  QObject::connect(list.selectionModel(),
-                   &QItemSelectionModel::currentChanged,
+  QObject::connect(list.selectionModel(), &QItemSelectionModel::currentChanged,
                    [&](const QModelIndex& now) { chosen += now.isValid() ? 1 : 0; });
   list.setFocus(Qt::TabFocusReason);
   EXPECT_EQ(chosen, 0);

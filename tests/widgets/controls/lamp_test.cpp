@@ -92,8 +92,8 @@ TEST(LampPanel, ChoosesADeviceAndDimsItByKeys) {
   const auto sent = std::make_shared<Sent>();
   Lamp lamp(ports_of(sent));
   LampPanel panel(lamp);
-  QObject::connect(
-      &panel, &LampPanel::setting_requested, &panel, [&](const auto& wanted) { lamp.set(wanted); });
+  QObject::connect(&panel, &LampPanel::setting_requested, &panel,
+                   [&](const auto& wanted) { lamp.set(wanted); });
   panel.show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel));
   auto* device = panel.findChild<QComboBox*>();

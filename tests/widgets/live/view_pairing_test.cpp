@@ -24,9 +24,7 @@ double time_ms(const std::shared_ptr<const LiveView>& view) {
   return 1e-6 * static_cast<double>(view->result.frame->time_ns);
 }
 
-std::optional<ViewPair> added(ViewPairing& pairing,
-                              std::size_t which,
-                              std::uint64_t number,
+std::optional<ViewPair> added(ViewPairing& pairing, std::size_t which, std::uint64_t number,
                               double at_ms) {
   return pairing.add(which, view_at(number, at_ms), std::llround(1e6 * at_ms));
 }
@@ -52,9 +50,8 @@ std::vector<Arrival> arrivals(double second_later_ms, double second_period_ms, d
       if (part(random) >= lost) all.push_back({which, i, taken, came});
     }
   }
-  std::stable_sort(all.begin(), all.end(), [](const Arrival& a, const Arrival& b) {
-    return a.came_ms < b.came_ms;
-  });
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Arrival& a, const Arrival& b) { return a.came_ms < b.came_ms; });
   return all;
 }
 

@@ -218,13 +218,8 @@ TEST(ContactWordsTest, TellWhereHowAndThatItSlips) {
         .toStdString();
   };
   const std::string text = words_of();
-  for (const char* words : {"from the back",
-                            "for 1.3 s",
-                            "46.21 ± 0.12 mm",
-                            ">0.00 ± 0.05 mm",
-                            "0.81 ± 0.02 mm",
-                            "x 0.00, y 0.60, z -0.80 ± 2.3°",
-                            "slips"})
+  for (const char* words : {"from the back", "for 1.3 s", "46.21 ± 0.12 mm", ">0.00 ± 0.05 mm",
+                            "0.81 ± 0.02 mm", "x 0.00, y 0.60, z -0.80 ± 2.3°", "slips"})
     EXPECT_THAT(text, HasSubstr(words));
   result.contact.reset();
   result.reference = Reference();

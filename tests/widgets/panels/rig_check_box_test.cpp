@@ -35,8 +35,7 @@ TEST(RigCheckBox, NamesWhatIsToBeDoneAndTheControlToLock) {
   box.show();
   box.set_needed(true);
   box.show_findings(
-      {{RigItem::kFocusTip,
-        RigState::kBad,
+      {{RigItem::kFocusTip, RigState::kBad,
         en::say("edges at the {} are {:.1f} px wide", en::say("tip"), 7.0),
         en::say("turn the lens until the {} is sharp, and let the other end stay so",
                 en::say("tip"))},

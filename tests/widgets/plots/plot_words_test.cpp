@@ -41,8 +41,7 @@ class PlotWords : public testing::TestWithParam<QSize> {
       EXPECT_LE(metrics.horizontalAdvance(line), data.height() + 40) << line.toStdString();
   }
 };
-INSTANTIATE_TEST_SUITE_P(Sizes,
-                         PlotWords,
+INSTANTIATE_TEST_SUITE_P(Sizes, PlotWords,
                          testing::Values(QSize(440, 225), QSize(480, 240), QSize(900, 380)),
                          [](const auto& size) { return std::to_string(size.param.width()); });
 

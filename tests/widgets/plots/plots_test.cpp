@@ -106,8 +106,7 @@ class PlotsInThemes : public testing::TestWithParam<Theme> {
     EXPECT_EQ(plot.image(size, 2.0).size(), 2 * size) << name;
   }
 };
-INSTANTIATE_TEST_SUITE_P(Theme,
-                         PlotsInThemes,
+INSTANTIATE_TEST_SUITE_P(Theme, PlotsInThemes,
                          testing::Values(Theme::kLight, Theme::kDark, Theme::kHighContrast));
 
 TEST_P(PlotsInThemes, AreDrawn) {
@@ -184,19 +183,12 @@ TEST(PressErrorPlot, ChoosesByKeysAsAListDoes) {
   plot.enable_choice();
   plot.set_data(some_errors(3));
   std::vector<std::string> chosen, opened;
-  QObject::connect(
-      &plot, &PressErrorPlot::press_chosen, [&](const auto& press) { chosen.push_back(press); });
-  QObject::connect(
-      &plot, &PressErrorPlot::press_opened, [&](const auto& press) { opened.push_back(press); });
-  for (const auto key : {Qt::Key_Return,
-                         Qt::Key_Down,
-                         Qt::Key_Down,
-                         Qt::Key_Up,
-                         Qt::Key_Up,
-                         Qt::Key_End,
-                         Qt::Key_Down,
-                         Qt::Key_Return,
-                         Qt::Key_Escape})
+  QObject::connect(&plot, &PressErrorPlot::press_chosen,
+                   [&](const auto& press) { chosen.push_back(press); });
+  QObject::connect(&plot, &PressErrorPlot::press_opened,
+                   [&](const auto& press) { opened.push_back(press); });
+  for (const auto key : {Qt::Key_Return, Qt::Key_Down, Qt::Key_Down, Qt::Key_Up, Qt::Key_Up,
+                         Qt::Key_End, Qt::Key_Down, Qt::Key_Return, Qt::Key_Escape})
     QTest::keyClick(&plot, key);
   EXPECT_THAT(chosen,
               testing::ElementsAre("press_2", "press_1", "press_2", "press_0", std::string()));
@@ -248,13 +240,11 @@ TEST(FaceMapPlot, AClickTellsOfTheSmallestContactThere) {
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&plot));
   QTest::qWait(100);
   std::vector<std::size_t> chosen;
-  QObject::connect(
-      &plot, &FaceMapPlot::contact_chosen, [&](std::size_t contact) { chosen.push_back(contact); });
+  QObject::connect(&plot, &FaceMapPlot::contact_chosen,
+                   [&](std::size_t contact) { chosen.push_back(contact); });
   auto* chart = plot.findChild<QCustomPlot*>();
   const auto click = [&](double along_mm, double across_mm) {
-    QTest::mouseClick(chart,
-                      Qt::LeftButton,
-                      Qt::NoModifier,
+    QTest::mouseClick(chart, Qt::LeftButton, Qt::NoModifier,
                       QPoint(static_cast<int>(std::lround(chart->xAxis->coordToPixel(along_mm))),
                              static_cast<int>(std::lround(chart->yAxis->coordToPixel(across_mm)))));
   };

@@ -66,17 +66,11 @@ Made pages_of(const FingerCalibration& done,
 TEST(CalibrationPages, SayWhatALabBookNeeds) {
   const FingerCalibration done = some_calibration();
   const std::string html = pages_of(done).html;
-  for (const char* words : {"Calibration of finger left &lt;07&gt; &amp; &quot;co&quot;",
-                            "Good",
-                            "2026-01-31 12:34:56 UTC",
-                            "Ada &lt;Lovelace&gt;",
-                            "radius 4 mm",
-                            "4 used of 5 given",
-                            "Camera=usb-1; Gain=3",
-                            "Something to &lt;know&gt;.",
-                            "Excluded, glove.",
-                            "alltact calibrate 'left 07' --again",
-                            "Wrong radius of the ball"})
+  for (const char* words :
+       {"Calibration of finger left &lt;07&gt; &amp; &quot;co&quot;", "Good",
+        "2026-01-31 12:34:56 UTC", "Ada &lt;Lovelace&gt;", "radius 4 mm", "4 used of 5 given",
+        "Camera=usb-1; Gain=3", "Something to &lt;know&gt;.", "Excluded, glove.",
+        "alltact calibrate 'left 07' --again", "Wrong radius of the ball"})
     EXPECT_THAT(html, HasSubstr(words));
   // The verdict before everything else.
   EXPECT_LT(html.find("Good, ±0."), html.find("What it was made with"));

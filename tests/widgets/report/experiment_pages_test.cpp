@@ -11,9 +11,7 @@
 namespace alltact {
 namespace {
 
-Message shown(const char* words) {
-  return Message::typed(words);
-}
+Message shown(const char* words) { return Message::typed(words); }
 
 std::size_t count_of(const std::string& text, const std::string& what) {
   std::size_t count = 0;
@@ -70,18 +68,11 @@ TEST(ExperimentPages, PutOursBesideThePapers) {
   ASSERT_TRUE(files);
   EXPECT_EQ(files->at(0).name, "x.html");
   const std::string& html = files->at(0).content;
-  for (const char* words : {"Our values are simulated",
-                            "the paper's were measured",
-                            "1 of 2 figures with an aim",
-                            "Angle &lt;mean&gt;, within ±20",
-                            ">0.020<",
-                            ">12.06<",
-                            ">missed<",
-                            ">100.0<",
-                            "What a figure does not say.",
-                            "12 frames of experiment_pose in 1.5 s",
-                            "alltact experiments pose --seed 1",
-                            "A ramp."})
+  for (const char* words :
+       {"Our values are simulated", "the paper's were measured", "1 of 2 figures with an aim",
+        "Angle &lt;mean&gt;, within ±20", ">0.020<", ">12.06<", ">missed<", ">100.0<",
+        "What a figure does not say.", "12 frames of experiment_pose in 1.5 s",
+        "alltact experiments pose --seed 1", "A ramp."})
     EXPECT_TRUE(html.find(words) != std::string::npos) << words;  // nobody reads its pictures
   // In the overview too, where what has neither is not.
   EXPECT_EQ(count_of(html, "Angle &lt;mean&gt;"), 2U);

@@ -231,8 +231,8 @@ TEST_F(AFingersCard, StandsAmongOthersAndOpensItsFinger) {
   calibrate();
   FingerCards cards;
   QString chosen;
-  QObject::connect(
-      &cards, &FingerCards::finger_chosen, [&](const QString& folder) { chosen = folder; });
+  QObject::connect(&cards, &FingerCards::finger_chosen,
+                   [&](const QString& folder) { chosen = folder; });
   cards.set_fingers({"/nowhere/at/all", folder_.path()});
   ASSERT_TRUE(QTest::qWaitFor([&] { return cards.cards().size() == 1; }));
   cards.show();

@@ -31,10 +31,7 @@ class PressedFinger {
     press_ = fmt::format(
         "  - {{use: ball, radius_mm: {}, s_mm: {}, y_mm: {}, depth_mm: {}}}\n"
         "  - {{use: rolloff, {}}}\n",
-        between(3, 5),
-        length_ * between(from, to),
-        between(-4, 4),
-        between(0.3, 1.0),
+        between(3, 5), length_ * between(from, to), between(-4, 4), between(0.3, 1.0),
         seed % 2 == 0 ? "kind: smooth, length_mm: 0.2" : "kind: hertz, length_mm: 0.8");
   }
   /// Out of the picture, on the left.
@@ -53,9 +50,7 @@ class PressedFinger {
     const Plan moving = plan(fmt::format(
         "  - {{use: ball, radius_mm: 4, s_mm: [{{at: 0, is: {}}}, {{at: 15, is: {}}}], y_mm: 1, "
         "depth_mm: [{{at: 0, is: 0.4}}, {{at: 15, is: {}}}]}}\n",
-        s,
-        s + along_mm,
-        0.4 + deeper_mm));
+        s, s + along_mm, 0.4 + deeper_mm));
     Pipeline pipeline = over(plan(""));
     std::vector<FrameResult> results;
     for (int i = 0; i < 16; ++i) results.push_back(pipeline(frame_of(moving, i)).value());
@@ -74,8 +69,7 @@ class PressedFinger {
     mapping.a_mm = layer_mm_ * (1 + s), mapping.b = s, mapping.x_max = 0.9;
     finger.mapping = mapping;
     return Pipeline::with_library(ReferenceLibrary::single(untouched.render(0, 2)).value(),
-                                  FingerSnapshot::of({}, finger).value(),
-                                  {});
+                                  FingerSnapshot::of({}, finger).value(), {});
   }
   static FramePtr frame_of(const Plan& plan, int i) {
     auto frame = std::make_shared<Frame>();
@@ -103,18 +97,8 @@ class PressedFinger {
         "      - {{at_mm: [0.0, 3.0, 0.0], power: {10}}}\n"
         "      - {{at_mm: [4.0, 0.0, -20.0], power: {11}, aim_mm: [71.0, 0.0, 93.0], lobe: 8}}\n"
         "  - {{use: read, sd: 1.0}}\n  - {{use: quantisation}}\n",
-        focal_,
-        width_,
-        layer_mm_,
-        incline_,
-        length_,
-        bend_,
-        press,
-        scatter_per_mm_,
-        base_x_,
-        base_z_,
-        light_ * 270000,
-        light_ * 3300000);
+        focal_, width_, layer_mm_, incline_, length_, bend_, press, scatter_per_mm_, base_x_,
+        base_z_, light_ * 270000, light_ * 3300000);
     const auto scene = Scene::parse(text, "places");
     EXPECT_TRUE(scene) << (scene ? "" : scene.error().sentence());
     return Plan::compile(*scene, press.empty() ? 1 : 2).value();
@@ -143,13 +127,8 @@ class ErrorsTold {
     std::vector<double> sorted = errors_;
     std::sort(sorted.begin(), sorted.end());
     printf("[ figures  ] %s: mean %.3f mm (bias %+.3f), 95 %% %.3f, worst %.3f of %zu; NEES %.2f\n",
-           what,
-           mean(),
-           sum_ / count(),
-           sorted[sorted.size() * 95 / 100],
-           sorted.back(),
-           sorted.size(),
-           nees());
+           what, mean(), sum_ / count(), sorted[sorted.size() * 95 / 100], sorted.back(),
+           sorted.size(), nees());
   }
 
  private:
@@ -206,9 +185,7 @@ TEST(ContactPlace, AlongHasNoErrorToTellWhereTheBaseIsNotSeen) {
 }
 
 // What a mean of so many squares, each 1 on average, may be off by.
-double nees_scatter(int runs) {
-  return 3 * std::sqrt(2.0 / runs);
-}
+double nees_scatter(int runs) { return 3 * std::sqrt(2.0 / runs); }
 
 TEST(ContactPlace, OfABallIsTheTruthsAroundTheMiddle) {
   // The middle 40 mm of a finger of 100 to 120 mm, and some more.

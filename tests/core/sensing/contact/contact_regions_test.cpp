@@ -36,8 +36,8 @@ struct FlatFace {
 };
 
 /// A paraboloid dent with half axes a, b (mm) where its depth is 0, turned by an angle.
-void press(
-    DepthMap& map, double x, double y, double a, double b, double deepest, double angle_deg) {
+void press(DepthMap& map, double x, double y, double a, double b, double deepest,
+           double angle_deg) {
   const double c = std::cos(angle_deg * M_PI / 180.0), s = std::sin(angle_deg * M_PI / 180.0);
   for (int v = 0; v < kHeight; ++v) {
     for (int u = 0; u < kWidth; ++u) {
@@ -83,8 +83,8 @@ TEST(ContactRegions, MeasuresWhatAnEllipticDentIs) {
     // of a paraboloid cut at the threshold h: area pi a b (1 - h/D), volume above 0 within it
     const double cut = 1.0 - 0.05 / deepest;
     EXPECT_NEAR(r.area_mm2, M_PI * a * b * cut, 0.02 * M_PI * a * b);
-    EXPECT_NEAR(
-        r.volume_mm3, M_PI * a * b * deepest * (cut - 0.5 * cut * cut), 0.01 * a * b * deepest);
+    EXPECT_NEAR(r.volume_mm3, M_PI * a * b * deepest * (cut - 0.5 * cut * cut),
+                0.01 * a * b * deepest);
     EXPECT_NEAR(r.deepest_mm, deepest, 0.01);
     EXPECT_NEAR(r.position_mm.x(), x, 0.02);
     EXPECT_NEAR(r.position_mm.y(), y, 0.02);
@@ -261,9 +261,7 @@ TEST(ContactRegions, OverUnevenNoiseTheAxisIsAsSureAsItSays) {
   std::printf(
       "[ figures  ] axis over uneven noise: even weights %.3f, 1/variance %.3f degrees rms; "
       "normalised error squared %.3f\n",
-      std::sqrt(even / kRuns),
-      std::sqrt(weighed / kRuns),
-      normalised);
+      std::sqrt(even / kRuns), std::sqrt(weighed / kRuns), normalised);
   EXPECT_LT(weighed, 1.1 * even);
   EXPECT_NE(weighed, even) << "the weights do something";
   EXPECT_GT(normalised, 0.8);

@@ -152,33 +152,21 @@ TEST(ContactState, ABallThatSlidesSlipsAndOneThatIsDraggedOrPressedHarderDoesNot
     const double way = mm_per_s * 1.5 * (run % 2 == 0 ? 1 : -1);
     const std::string ball = fmt::format("radius_mm: 4, y_mm: {}", y);
     add(sliding,
-        slips_of(
-            fmt::format(
-                "{}, force_N: 1, s_mm: [{{at: 0, is: {}}}, {{at: 44, is: {}}}]", ball, s, s + way),
-            sd,
-            run,
-            drift));
+        slips_of(fmt::format("{}, force_N: 1, s_mm: [{{at: 0, is: {}}}, {{at: 44, is: {}}}]", ball,
+                             s, s + way),
+                 sd, run, drift));
     add(dragged,
         slips_of(fmt::format("{}, force_N: 1, s_mm: {}, friction: 0.9, along_N: [{{at: 0, is: 0}}, "
                              "{{at: 44, is: 0.8}}]",
-                             ball,
-                             s),
-                 sd,
-                 run,
-                 drift));
+                             ball, s),
+                 sd, run, drift));
     add(pressed,
-        slips_of(fmt::format(
-                     "{}, s_mm: {}, force_N: [{{at: 0, is: 0.2}}, {{at: 44, is: 1.5}}]", ball, s),
-                 sd,
-                 run,
-                 drift));
+        slips_of(fmt::format("{}, s_mm: {}, force_N: [{{at: 0, is: 0.2}}, {{at: 44, is: 1.5}}]",
+                             ball, s),
+                 sd, run, drift));
   }
   printf("slipping: sliding %d of %d frames, dragged %d of %d, pressed harder %d of %d\n",
-         sliding.slipping,
-         sliding.frames,
-         dragged.slipping,
-         dragged.frames,
-         pressed.slipping,
+         sliding.slipping, sliding.frames, dragged.slipping, dragged.frames, pressed.slipping,
          pressed.frames);
   EXPECT_GE(sliding.slipping, 0.98 * sliding.frames);
   EXPECT_EQ(dragged.slipping, 0);

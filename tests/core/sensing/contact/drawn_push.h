@@ -34,16 +34,8 @@ struct PushedDrawnFinger {
         "markers: {{per_row: {4}, polarity: bright}}\nframes: 2\nuntouched: {{x_mm: {5}, z_mm: "
         "{6}, "
         "incline_deg: {7}, length_mm: {8}}}\neffects:\n",
-        f,
-        scale * random.between(225, 255),
-        scale * random.between(125, 145),
-        width_mm,
-        per_row,
-        random.between(-27, -20),
-        random.between(27, 36),
-        incline_deg,
-        length_mm,
-        480 * scale,
+        f, scale * random.between(225, 255), scale * random.between(125, 145), width_mm, per_row,
+        random.between(-27, -20), random.between(27, 36), incline_deg, length_mm, 480 * scale,
         270 * scale);
     tail_ = fmt::format(
         "  - {{use: markers, radius_mm: 1.2, setback_mm: {}, first: {}, last: {}, albedo: 0.9}}\n"
@@ -52,9 +44,7 @@ struct PushedDrawnFinger {
         "  - {{use: leds, lamps: [{{at_mm: [0, -3, 0], power: 270000}}, {{at_mm: [0, 3, 0], power: "
         "270000}}, {{at_mm: [4, 0, -20], power: 3300000, aim_mm: [71, 0, 93], lobe: 8}}]}}\n"
         "  - {{use: read, sd: 1.0}}\n  - {{use: quantisation}}\n",
-        random.between(3, 6),
-        random.between(0.08, 0.2),
-        random.between(0.75, 0.92));
+        random.between(3, 6), random.between(0.08, 0.2), random.between(0.75, 0.92));
   }
   [[nodiscard]] std::string with(const std::string& effects) const {
     return head + effects + tail_;
@@ -98,10 +88,8 @@ inline std::optional<Told> told_of(const std::string& scene, Parameters& random)
   for (std::size_t m = 0; m < rest.markers.size(); ++m) {
     settings.rest_markers.emplace_back(rest.markers[m].u + noise(bits),
                                        rest.markers[m].v + noise(bits));
-    markers.push_back({told.truth.markers[m].u + noise(bits),
-                       told.truth.markers[m].v + noise(bits),
-                       true,
-                       kMarkerNoise_px});
+    markers.push_back({told.truth.markers[m].u + noise(bits), told.truth.markers[m].v + noise(bits),
+                       true, kMarkerNoise_px});
   }
   // As install_reference sets it.
   const auto count = static_cast<double>(markers.size());
@@ -125,10 +113,7 @@ inline std::string drawn_body(Parameters& random, double least_coupling, double 
   return fmt::format(
       "  - {{use: body, shore_a: {}, wall_mm: {}, base_depth_mm: {}, tip_depth_mm: {}, coupling: "
       "{}}}\n",
-      random.between(30, 55),
-      random.between(3, 5),
-      random.between(28, 38),
-      random.between(11, 16),
+      random.between(30, 55), random.between(3, 5), random.between(28, 38), random.between(11, 16),
       random.between(least_coupling, most_coupling));
 }
 

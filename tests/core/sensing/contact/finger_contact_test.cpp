@@ -20,13 +20,8 @@ void print_distribution(const char* what, std::vector<double> values) {
   const auto at = [&](double share) {
     return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
   };
-  printf("%s: median %.2f, 95 %% %.2f, 99 %% %.2f, worst %.2f (%zu)\n",
-         what,
-         at(0.5),
-         at(0.95),
-         at(0.99),
-         values.back(),
-         values.size());
+  printf("%s: median %.2f, 95 %% %.2f, 99 %% %.2f, worst %.2f (%zu)\n", what, at(0.5), at(0.95),
+         at(0.99), values.back(), values.size());
 }
 
 // How likely an error of this sd leaves the eighth of the circle that a direction lies in.
@@ -54,8 +49,7 @@ TEST(FingerContact, OneOfEightWaysIsToldOnDrawnFingers) {
       const double mm = random.between(1.5, 5);  // as far as pushes move a finger
       const std::string motion = fmt::format(
           "motion: {{kind: poses, poses: [{{}}, {{q1_mm: {}, q2_mm: {}, sway_mm: {}}}]}}\n",
-          -mm * std::cos(angle),
-          0.3 * mm * std::cos(angle) * random.between(-1, 1),
+          -mm * std::cos(angle), 0.3 * mm * std::cos(angle) * random.between(-1, 1),
           mm * std::sin(angle));
       const auto told = told_of(
           motion +
@@ -82,11 +76,7 @@ TEST(FingerContact, OneOfEightWaysIsToldOnDrawnFingers) {
     }
   }
   printf("one of 8 ways: right %d of %d, %.1f wrong by the errors told; of %d sure ones %d\n",
-         right,
-         count,
-         expected_wrong,
-         sure,
-         sure_right);
+         right, count, expected_wrong, sure, sure_right);
   printf("direction: NEES %.2f\n", normalised / count);
   print_distribution("degrees off the way", off_deg);
   EXPECT_LE(count - right, std::max(1.0, 0.005 * count));
@@ -107,11 +97,11 @@ TEST(FingerContact, TheFaceThatIsPushedIsToldOnDrawnFingers) {
     const PushedDrawnFinger finger(random);
     const std::string body = drawn_body(random, 0.2, 0.8);
     for (const std::string face : {"contact", "back", "upper", "lower"}) {
-      const std::string push = pushing(fmt::format("s_mm: {}, y_mm: {}, radius_mm: 5, force_N: {}",
-                                                   random.between(0.5, 0.85) * finger.length_mm,
-                                                   random.between(-3, 3),
-                                                   reaching(random.between(0.5, 1.5))),
-                                       face);
+      const std::string push =
+          pushing(fmt::format("s_mm: {}, y_mm: {}, radius_mm: 5, force_N: {}",
+                              random.between(0.5, 0.85) * finger.length_mm, random.between(-3, 3),
+                              reaching(random.between(0.5, 1.5))),
+                  face);
       const auto told = told_of(finger.with(push + body), random);
       if (!told) continue;
       if (!told->contact) {

@@ -31,13 +31,7 @@ struct AlongErrors {
     std::printf(
         "[ figures  ] %s: told of %d of %d pushes; off by %.1f mm in the median, 95 %% %.1f, "
         "worst %.1f; mean sd %.1f; NEES %.2f\n",
-        what.c_str(),
-        static_cast<int>(told()),
-        pushes,
-        at(0.5),
-        at(0.95),
-        at(1),
-        sd_mm / told(),
+        what.c_str(), static_cast<int>(told()), pushes, at(0.5), at(0.95), at(1), sd_mm / told(),
         nees());
   }
 };
@@ -50,14 +44,12 @@ AlongErrors errors_on_drawn(unsigned seed, int fingers) {
     const PushedDrawnFinger finger(random, 2);
     const std::string body = drawn_body(random, 0, 1);
     const double along_mm = random.between(0.25, 0.9) * finger.length_mm;
-    const auto told =
-        told_of(finger.with(pushing(fmt::format("s_mm: {}, y_mm: {}, radius_mm: 5, force_N: {}",
-                                                along_mm,
-                                                random.between(-3, 3),
-                                                reaching(random.between(0.3, 3))),
-                                    "back") +
-                            body),
-                random);
+    const auto told = told_of(
+        finger.with(pushing(fmt::format("s_mm: {}, y_mm: {}, radius_mm: 5, force_N: {}", along_mm,
+                                        random.between(-3, 3), reaching(random.between(0.3, 3))),
+                            "back") +
+                    body),
+        random);
     if (!told || !told->contact) continue;  // more than it bears, or hardly anything
     ++errors.pushes;
     const FingerContact& contact = *told->contact;
@@ -100,8 +92,7 @@ TEST(PushAlong, ASideIsToldWithoutAPlaceAndWhy) {
   for (const char* face : {"upper", "lower"}) {
     const auto told =
         told_of(finger.with(pushing(fmt::format("s_mm: {}, y_mm: 0, radius_mm: 5, force_N: {}",
-                                                0.7 * finger.length_mm,
-                                                reaching(1)),
+                                                0.7 * finger.length_mm, reaching(1)),
                                     face) +
                             drawn_body(random, 0.3, 0.6)),
                 random);

@@ -61,9 +61,7 @@ double nees_with_hidden(int hidden, double noise_px) {
       Eigen::Vector2d offset = Eigen::Vector2d::Zero();
       for (Eigen::Index k = 0; k < truth.size(); k += 2) offset += (truth - rest).segment<2>(k);
       const Push told =
-          push_of(*completed,
-                  settings,
-                  true,
+          push_of(*completed, settings, true,
                   displacement_covariance_px2(*completed, known.model.covariance_px2(*completed)));
       if (!told.pushed) continue;
       const double error = std::remainder(

@@ -22,8 +22,7 @@ class Simulated {
         camera_(Camera::create(plan_.finger().camera).value()) {}
 
   /// What the detector says of one frame; `change` may do something to the picture first.
-  std::optional<ReferenceFreeContact> look(ReferenceFreeContactDetector& detector,
-                                           int frame,
+  std::optional<ReferenceFreeContact> look(ReferenceFreeContactDetector& detector, int frame,
                                            const std::function<void(cv::Mat&)>& change = {}) const {
     cv::Mat grey = plan_.render(frame);
     if (change) change(grey);
@@ -52,8 +51,7 @@ TEST(ReferenceFreeContact, SeesAPressThatComesAndSlidesAndGoes) {
     missed += !is_seen && i >= 59 && i <= 136;
   }
   std::printf("[ figures  ] %d of 46 untouched frames warned of, %d of 78 touched ones missed\n",
-              false_frames,
-              missed);
+              false_frames, missed);
   EXPECT_EQ(false_frames, 0);
   EXPECT_EQ(missed, 0);
 }

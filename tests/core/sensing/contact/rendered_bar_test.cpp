@@ -28,9 +28,7 @@ struct BarFinger {
   double focal_px, width_mm, layer_mm, x_mm, z_mm, incline_deg, length_mm, scatter_per_mm, light;
 };
 
-Plan bar_plan(const BarFinger& finger,
-              const std::string& bend,
-              const std::string& pressed,
+Plan bar_plan(const BarFinger& finger, const std::string& bend, const std::string& pressed,
               int run) {
   const std::string text = fmt::format(
       "name: bars\nwhy: to learn what an axis is worth\nframes: 1\n"
@@ -46,18 +44,9 @@ Plan bar_plan(const BarFinger& finger,
       "      - {{at_mm: [0.0, 3.0, 0.0], power: {10}}}\n"
       "      - {{at_mm: [4.0, 0.0, -20.0], power: {11}, aim_mm: [71.0, 0.0, 93.0], lobe: 8}}\n"
       "  - {{use: read, sd: 1.0}}\n  - {{use: quantisation}}\n",
-      finger.focal_px,
-      finger.width_mm,
-      finger.layer_mm,
-      finger.x_mm,
-      finger.z_mm,
-      finger.incline_deg,
-      finger.length_mm,
-      bend,
-      pressed,
-      finger.scatter_per_mm,
-      270000 * finger.light,
-      3300000 * finger.light);
+      finger.focal_px, finger.width_mm, finger.layer_mm, finger.x_mm, finger.z_mm,
+      finger.incline_deg, finger.length_mm, bend, pressed, finger.scatter_per_mm,
+      270000 * finger.light, 3300000 * finger.light);
   const auto scene = Scene::parse(text, "bars");
   EXPECT_TRUE(scene) << (scene ? "" : scene.error().sentence());
   auto plan = Plan::compile(*scene, static_cast<std::uint64_t>(run));
@@ -83,19 +72,10 @@ struct BarWorld {
     const double q1 = between(-1.2, 1.2), q2 = between(-2, 2);
     bend_ =
         fmt::format("  - {{use: bend, q1_mm: {{from: {}, to: {}}}, q2_mm: {{from: {}, to: {}}}}}\n",
-                    q1,
-                    q1 + 1e-9,
-                    q2,
-                    q2 + 1e-9);
-    finger_ = {between(490, 540),
-               between(20, 26),
-               between(1.3, 2.0),
-               between(-25, -21),
-               between(27, 31),
-               between(30, 37),
-               between(105, 120),
-               between(0.4, 0.8),
-               between(0.7, 1.0)};
+                    q1, q1 + 1e-9, q2, q2 + 1e-9);
+    finger_ = {between(490, 540), between(20, 26),   between(1.3, 2.0),
+               between(-25, -21), between(27, 31),   between(30, 37),
+               between(105, 120), between(0.4, 0.8), between(0.7, 1.0)};
   }
   double between(double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(random_);
@@ -106,19 +86,14 @@ struct BarWorld {
     const std::string pressed = fmt::format(
         "  - {{use: {}, s_mm: {}, y_mm: {}, depth_mm: {}{}}}\n"
         "  - {{use: rolloff, kind: smooth, length_mm: 0.2}}\n",
-        body,
-        between(25, 70),
-        between(-3, 3),
-        between(0.5, 1.0),
-        turn);
+        body, between(25, 70), between(-3, 3), between(0.5, 1.0), turn);
     const Plan untouched = bar_plan(finger_, bend_, "", run_),
                plan = bar_plan(finger_, bend_, pressed, 5000 + run_);
     Finger finger = plan.finger();
     finger.mapping = true_mapping(finger_);
     Pipeline pipeline =
         Pipeline::with_library(ReferenceLibrary::single(untouched.render(0, 2)).value(),
-                               FingerSnapshot::of({}, finger).value(),
-                               {});
+                               FingerSnapshot::of({}, finger).value(), {});
     auto frame = std::make_shared<Frame>();
     frame->grey = plan.render(0, 2);
     truth = plan.truth(0);
@@ -165,12 +140,7 @@ AxisErrors axis_errors(const std::string& body) {
   std::printf(
       "[ figures  ] %.40s: axis off by rms %.3f, worst %.3f degrees of %d; mean sd %.3f; "
       "normalised error squared %.2f; in space worst %.3f\n",
-      body.c_str(),
-      errors.rms_deg,
-      errors.worst_deg,
-      runs,
-      errors.mean_sd_deg,
-      errors.normalised,
+      body.c_str(), errors.rms_deg, errors.worst_deg, runs, errors.mean_sd_deg, errors.normalised,
       errors.worst_in_space_deg);
   return errors;
 }

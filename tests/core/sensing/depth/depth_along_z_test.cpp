@@ -45,10 +45,8 @@ struct InclinedPlane {
 };
 
 /// The ball's near side on a line, mm along `direction` from `from`; NaN where it passes by.
-double ball_at(const Eigen::Vector3d& from,
-               const Eigen::Vector3d& direction,
-               const Eigen::Vector3d& centre,
-               double radius) {
+double ball_at(const Eigen::Vector3d& from, const Eigen::Vector3d& direction,
+               const Eigen::Vector3d& centre, double radius) {
   const Eigen::Vector3d to = centre - from;
   const double along = to.dot(direction);
   const double square = radius * radius - (to - along * direction).squaredNorm();

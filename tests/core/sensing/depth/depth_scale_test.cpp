@@ -51,8 +51,7 @@ TEST(DepthScale, EveryPixelGetsItsFactor) {
           const double projected =
               along == MappingAlong::kProjected ? 1.0 / local->cos_incline : 1.0;
           EXPECT_NEAR(static_cast<double>(depth[static_cast<std::size_t>(u)]),
-                      2.0 * projected * p.variation.at(scene.shape.position_mm(u, v)),
-                      2e-5)
+                      2.0 * projected * p.variation.at(scene.shape.position_mm(u, v)), 2e-5)
               << u << ' ' << v;
         }
       }
@@ -71,8 +70,7 @@ TEST(DepthScale, PlacesOnTheFaceAreMillimetres) {
       EXPECT_NEAR(place.y(), here->view_point_mm.y(), 1e-3);
       const Eigen::Vector3d way = beside->view_point_mm - here->view_point_mm;
       EXPECT_NEAR(std::abs(scene.shape.position_mm(u + 10, v).x() - place.x()),
-                  std::hypot(way.x(), way.z()),
-                  2e-3);
+                  std::hypot(way.x(), way.z()), 2e-3);
     }
 }
 

@@ -27,9 +27,7 @@ FaceShape plane() {
   return FaceShape::plane(Camera::create(p).value(), face);
 }
 
-FaceRuns whole_face() {
-  return face_runs(plane(), 2.0, {kWidth, kHeight});
-}
+FaceRuns whole_face() { return face_runs(plane(), 2.0, {kWidth, kHeight}); }
 
 /// A change of the light: what it multiplies the brightness with.
 struct Change {
@@ -106,8 +104,8 @@ TEST(LightGain, FindsAnySmoothChangeBesideContacts) {
   };
   std::vector<double> errors;
   for (int run = 0; run < 40; ++run) {
-    const Change change{
-        between(0.7, 1.2), between(-0.04, 0.04), between(-0.04, 0.04), between(-0.04, 0.04)};
+    const Change change{between(0.7, 1.2), between(-0.04, 0.04), between(-0.04, 0.04),
+                        between(-0.04, 0.04)};
     Dents dents;
     for (int i = 0, n = static_cast<int>(between(0, 3.99)); i < n; ++i)
       dents.discs.push_back(
@@ -173,8 +171,7 @@ TEST(LightGain, RowsAndPlacesAgree) {
     for (int u = 0; u < 360; u += 11)
       EXPECT_NEAR(static_cast<double>(row[0] + static_cast<float>(u) *
                                                    (row[1] + static_cast<float>(u) * row[2])),
-                  light.at(u, v),
-                  1e-6);
+                  light.at(u, v), 1e-6);
   }
 }
 
@@ -185,19 +182,17 @@ TEST(LightGain, NothingToCompareChangesNothing) {
   const ReferenceImage even(cv::Mat(kHeight, kWidth, CV_32FC1, cv::Scalar(100.0)));
   for (const int level : {0, 255})
     for (const ReferenceImage* reference : {&dark, &white, &even}) {
-      const LightGain light = light_gain(
-          cv::Mat(kHeight, kWidth, CV_8UC1, cv::Scalar(level)), *reference, face, 1.0, 1.0);
+      const LightGain light = light_gain(cv::Mat(kHeight, kWidth, CV_8UC1, cv::Scalar(level)),
+                                         *reference, face, 1.0, 1.0);
       for (const double part : {0.0, 0.5, 1.0}) {
         const double q = light.at(part * kWidth, part * kHeight);
         EXPECT_TRUE(std::isfinite(q));
         EXPECT_EQ(q, 1.0) << level;
       }
     }
-  const LightGain none = light_gain(cv::Mat(kHeight, kWidth, CV_8UC1, cv::Scalar(90)),
-                                    even,
-                                    FaceRuns{{}, std::vector<std::uint32_t>(kHeight + 1, 0)},
-                                    1.0,
-                                    1.0);
+  const LightGain none =
+      light_gain(cv::Mat(kHeight, kWidth, CV_8UC1, cv::Scalar(90)), even,
+                 FaceRuns{{}, std::vector<std::uint32_t>(kHeight + 1, 0)}, 1.0, 1.0);
   EXPECT_EQ(none.at(3, 4), 1.0);
 }
 

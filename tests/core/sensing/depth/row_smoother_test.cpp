@@ -100,8 +100,7 @@ TEST(RowSmoother, IsThePlainSumOfWhatIsGiven) {
   }
   EXPECT_LT(std::sqrt(square / static_cast<double>(count)), 0.05) << "grey levels";
   std::printf("[ figures  ] smoothing off by %.3f grey levels rms, %.3f at most\n",
-              std::sqrt(square / static_cast<double>(count)),
-              furthest);
+              std::sqrt(square / static_cast<double>(count)), furthest);
 }
 
 }  // namespace

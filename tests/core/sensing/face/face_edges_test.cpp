@@ -42,8 +42,7 @@ struct Errors {
   int count = 0, valid = 0;
 };
 
-Errors errors(const FaceEdges& edges,
-              const Edge& edge,
+Errors errors(const FaceEdges& edges, const Edge& edge,
               const std::function<double(double)>& truth) {
   Errors e;
   for (std::size_t i = 0; i < edges.u.size(); ++i) {
@@ -231,11 +230,8 @@ void light_side_faces(const SyntheticFace& face, double part, bool bright_dots, 
     const double u = at * image.cols, half = 0.5 * part * (face.lower(u) - face.upper(u));
     const double radius = 0.5 * half;
     for (const double v : {face.upper(u) - half, face.lower(u) + half})
-      cv::circle(image,
-                 {static_cast<int>(u), static_cast<int>(v)},
-                 static_cast<int>(radius),
-                 bright_dots ? cv::Scalar(190) : cv::Scalar(15),
-                 cv::FILLED);
+      cv::circle(image, {static_cast<int>(u), static_cast<int>(v)}, static_cast<int>(radius),
+                 bright_dots ? cv::Scalar(190) : cv::Scalar(15), cv::FILLED);
   }
 }
 

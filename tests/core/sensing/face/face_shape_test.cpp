@@ -82,8 +82,8 @@ TEST(FaceShape, ABentFaceComesBackToItsEnds) {
       x += std::cos(angle) * kLength / kSteps, z += std::sin(angle) * kLength / kSteps;
     }
     const auto at = [&](double u) {
-      const auto right = std::find_if(
-          points.begin() + 1, points.end() - 1, [&](const auto& p) { return p.x() > u; });
+      const auto right = std::find_if(points.begin() + 1, points.end() - 1,
+                                      [&](const auto& p) { return p.x() > u; });
       const Eigen::Vector3d a = *(right - 1), b = *right;
       return Eigen::Vector3d(a + (b - a) * (u - a.x()) / (b.x() - a.x()));
     };

@@ -29,9 +29,7 @@ FaceEdges edges_of(const std::function<double(double)>& half_width_px, double no
 }
 
 /// Narrower from base to tip.
-double smooth(double u) {
-  return 200.0 - 0.15 * u;
-}
+double smooth(double u) { return 200.0 - 0.15 * u; }
 
 TEST(OutlineJump, IsFoundWhereTheTipHidesTheMiddle) {
   for (const double at : {150.0, 480.0, 800.0})

@@ -21,11 +21,8 @@ struct Tried {
 };
 
 /// Six dots a side whose rims lie `gap_px` from the face's edge.
-std::vector<MarkedFinger::Extra> dots_beside(const MarkedFinger& finger,
-                                             const Bend& bend,
-                                             double radius_px,
-                                             double gap_px,
-                                             double contrast,
+std::vector<MarkedFinger::Extra> dots_beside(const MarkedFinger& finger, const Bend& bend,
+                                             double radius_px, double gap_px, double contrast,
                                              std::mt19937& random) {
   std::uniform_real_distribution<double> shift(-8.0, 8.0);
   std::vector<MarkedFinger::Extra> dots;
@@ -87,13 +84,7 @@ TEST(MarkerDetector, FindsDotsOfAnySizeOnePixelAndAHalfOffTheFace) {
         std::printf(
             "[ figures  ] contrast %4.0f, %4.1f px wide, rim %.1f px off: %d of %d, rms "
             "%.3f, worst %.2f px\n",
-            contrast,
-            2 * radius_px,
-            gap_px,
-            tried.found,
-            tried.dots,
-            tried.rms_px(),
-            tried.worst);
+            contrast, 2 * radius_px, gap_px, tried.found, tried.dots, tried.rms_px(), tried.worst);
         EXPECT_GE(tried.found, tried.dots - tried.dots / 24);
         // Nine pixels of a faint dot in noise of one grey level tell no more.
         EXPECT_LT(tried.rms_px(), radius_px < 2 && std::abs(contrast) < 30 ? 0.25 : 0.1);
@@ -102,8 +93,8 @@ TEST(MarkerDetector, FindsDotsOfAnySizeOnePixelAndAHalfOffTheFace) {
 
 TEST(MarkerDetector, FindsFaintDotsInNoise) {
   const Tried tried = try_dots(4.0, 6.0, 12.0, 2.0);
-  std::printf(
-      "[ figures  ] faint: %d of %d, rms %.3f px\n", tried.found, tried.dots, tried.rms_px());
+  std::printf("[ figures  ] faint: %d of %d, rms %.3f px\n", tried.found, tried.dots,
+              tried.rms_px());
   EXPECT_GE(tried.found, tried.dots - tried.dots / 20);
   EXPECT_LT(tried.rms_px(), 0.3);
 }

@@ -40,9 +40,7 @@ OnnxBytes bright_cells(bool is_turned, float weight = 1.0F / (3 * kCell * kCell)
       .weights("kernel", {5, 3, kCell, kCell}, kernel)
       .weights("places", {1, 5, kCells, kCells}, places)
       .sizes("flat", {1, 5, kCells * kCells})
-      .node("Conv",
-            {"images", "kernel"},
-            "cells",
+      .node("Conv", {"images", "kernel"}, "cells",
             {{"kernel_shape", {kCell, kCell}}, {"strides", {kCell, kCell}}})
       .node("Add", {"cells", "places"}, "boxes");
   if (is_turned)
@@ -209,8 +207,8 @@ TEST_F(DotNetworks, WhatItMustGiveIsHeldAgainstWhatItGives) {
   for (int i = 0; i < 5 * kCells * kCells; i += 32) {
     const int channel = i / 64, x = i % 8, y = i / 8 % 8;
     const cv::Rect cell(kCell * x, kCell * y, kCell, kCell);
-    const std::array<double, 5> values{
-        (x + 0.5) * kCell, (y + 0.5) * kCell, kCell, kCell, cv::mean(grey(cell))[0] / 255.0};
+    const std::array<double, 5> values{(x + 0.5) * kCell, (y + 0.5) * kCell, kCell, kCell,
+                                       cv::mean(grey(cell))[0] / 255.0};
     output.push_back(values[static_cast<std::size_t>(channel)]);
   }
   file(check_text(output, 1e-4), "network.yaml");

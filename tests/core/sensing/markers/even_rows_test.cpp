@@ -58,10 +58,8 @@ TEST(EvenRows, FollowTheFingerWithoutBeingToldThePolarity) {
       EXPECT_TRUE(dots.empty());
       worst = std::max(worst, worst_px(*markers, finger, bend));
     }
-    std::printf("[ figures  ] worst %.2f px; %.2f ms to find, %.2f ms to follow\n",
-                worst,
-                first_ms / 2,
-                later_ms / (kFrames - 2));
+    std::printf("[ figures  ] worst %.2f px; %.2f ms to find, %.2f ms to follow\n", worst,
+                first_ms / 2, later_ms / (kFrames - 2));
     EXPECT_LT(worst, 0.5);
   }
 }

@@ -80,10 +80,8 @@ TEST(MarkerMethods, EveryWayNumbersTheSameMarkers) {
     EXPECT_GE(seen, 10) << to_string(method);
     const auto hidden = drawn.discs(bend)[3];
     const double off = std::hypot((*markers)[3].u - hidden.u, (*markers)[3].v - hidden.v);
-    std::printf("[ figures  ] %s: %d of 11 seen, the hidden one %.2f px off\n",
-                to_string(method),
-                seen,
-                off);
+    std::printf("[ figures  ] %s: %d of 11 seen, the hidden one %.2f px off\n", to_string(method),
+                seen, off);
     if (method == MarkerMethod::kPaper)
       EXPECT_GT(off, 2.0) << "perspective is not told by neighbours";
     else
@@ -131,12 +129,8 @@ TEST(MarkerMethods, TheNetworkFindsDotsInPicturesOfAnotherMaking) {
     found += static_cast<int>(here);
     false_dots += static_cast<int>(given.dots.size() - here);
   }
-  std::printf("[ figures  ] of %d dots %d found (%d by blobs), %d false, %.3f px rms\n",
-              dots,
-              found,
-              by_blobs,
-              false_dots,
-              std::sqrt(square_px2 / found));
+  std::printf("[ figures  ] of %d dots %d found (%d by blobs), %d false, %.3f px rms\n", dots,
+              found, by_blobs, false_dots, std::sqrt(square_px2 / found));
   EXPECT_GT(found, 0.85 * dots);
   EXPECT_LE(false_dots, 4);
   EXPECT_LT(std::sqrt(square_px2 / found), 0.2);

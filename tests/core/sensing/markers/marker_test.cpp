@@ -19,9 +19,7 @@ using test::MarkedFinger;
 using test::random_bend;
 
 // Learns from layouts of random bends, seen with a little noise as a recording has them.
-MarkerModel learn(const MarkedFinger& finger,
-                  int frames,
-                  std::mt19937& random,
+MarkerModel learn(const MarkedFinger& finger, int frames, std::mt19937& random,
                   double share = 1.0) {
   std::normal_distribution<double> noise(0.0, 0.05);
   Eigen::MatrixXd layouts(frames, 4 * finger.per_row);
@@ -46,13 +44,8 @@ struct Errors {
     return values[static_cast<std::size_t>(q * static_cast<double>(values.size() - 1))];
   }
   void print(const char* what) {
-    std::printf("[ figures  ] %s: n %zu rms %.3f p50 %.3f p95 %.3f max %.3f px\n",
-                what,
-                values.size(),
-                rms(),
-                quantile(0.5),
-                quantile(0.95),
-                quantile(1.0));
+    std::printf("[ figures  ] %s: n %zu rms %.3f p50 %.3f p95 %.3f max %.3f px\n", what,
+                values.size(), rms(), quantile(0.5), quantile(0.95), quantile(1.0));
   }
 };
 
@@ -114,10 +107,8 @@ TEST(MarkerDetector, FindsEveryDotToATenthOfAPixelWithoutBeingToldThePolarity) {
       false_dots += static_cast<int>(found.dots.size() - used.size());
     }
     errors.print("detector");
-    std::printf("[ figures  ] missed %d, false %d, %.2f ms a picture (polarity not told)\n",
-                missed,
-                false_dots,
-                ms / 12);
+    std::printf("[ figures  ] missed %d, false %d, %.2f ms a picture (polarity not told)\n", missed,
+                false_dots, ms / 12);
     EXPECT_LT(errors.rms(), 0.1);
     EXPECT_LT(errors.quantile(0.99), 0.25);
     EXPECT_LE(missed, 2);
@@ -126,21 +117,14 @@ TEST(MarkerDetector, FindsEveryDotToATenthOfAPixelWithoutBeingToldThePolarity) {
 }
 
 // Dots as a detector gives them: in no order, some missing, some that are none.
-std::vector<Dot> shuffled_dots(const MarkedFinger& finger,
-                               const Eigen::VectorXd& layout,
-                               const std::set<int>& hidden,
-                               int false_dots,
-                               std::mt19937& random) {
+std::vector<Dot> shuffled_dots(const MarkedFinger& finger, const Eigen::VectorXd& layout,
+                               const std::set<int>& hidden, int false_dots, std::mt19937& random) {
   std::normal_distribution<double> noise(0.0, 0.05);
   std::uniform_real_distribution<double> along(0.0, finger.width), across(0.0, finger.height);
   std::vector<Dot> dots;
   for (int m = 0; m < 2 * finger.per_row; ++m)
     if (!hidden.contains(m))
-      dots.push_back({layout[2 * m] + noise(random),
-                      layout[2 * m + 1] + noise(random),
-                      5,
-                      60,
-                      0.05,
+      dots.push_back({layout[2 * m] + noise(random), layout[2 * m + 1] + noise(random), 5, 60, 0.05,
                       m < finger.per_row});
   for (int i = 0; i < false_dots; ++i) {
     const double v = across(random);
@@ -193,13 +177,7 @@ TEST(MarkerModel, NumbersDotsWithAThirdHiddenAndFalseOnesAmongThem) {
       std::printf(
           "[ figures  ] %d a row, %d hidden: slips %d, lost %d of %d frames, refused %d, %.3f ms a "
           "frame\n",
-          per_row,
-          hidden_count,
-          slips,
-          lost,
-          kFrames,
-          refused,
-          ms / kFrames);
+          per_row, hidden_count, slips, lost, kFrames, refused, ms / kFrames);
       hidden_errors.print("hidden");
       EXPECT_EQ(slips, 0);
       EXPECT_EQ(lost, 0);
@@ -219,8 +197,8 @@ TEST(MarkerTracker, FollowsTheFingerThroughCoveredMarkersAndJumps) {
   for (int i = 0; i < kFrames; ++i) {
     // A slow motion, and a jump to elsewhere in the middle of it.
     const double t = 0.05 * i + (i >= 30 ? 2.0 : 0.0);
-    const Bend bend{
-        0.3 * std::sin(t), 0.2 * std::cos(2 * t), 6 * std::sin(1.5 * t), 0.02 * std::cos(t)};
+    const Bend bend{0.3 * std::sin(t), 0.2 * std::cos(2 * t), 6 * std::sin(1.5 * t),
+                    0.02 * std::cos(t)};
     const std::vector<int> covered =
         i / 10 % 2 ? std::vector<int>{2, 3, 8, 11} : std::vector<int>{};
     const cv::Mat grey = finger.with_noise(finger.clean(bend, covered), random);

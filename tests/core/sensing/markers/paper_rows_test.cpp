@@ -16,8 +16,7 @@ using test::Bend;
 using test::MarkedFinger;
 using test::random_bend;
 
-std::vector<Dot> drawn_dots(const MarkedFinger& finger,
-                            const Bend& bend,
+std::vector<Dot> drawn_dots(const MarkedFinger& finger, const Bend& bend,
                             const std::set<int>& hidden) {
   std::vector<Dot> dots;
   const auto discs = finger.discs(bend);
@@ -66,11 +65,8 @@ TEST(PaperRows, TellsAnyInnerHiddenMarkerFromItsNeighbours) {
     MarkedFinger finger;
     finger.per_row = 4 + world % 9;
     const Bend bend = random_bend(random), moved = random_bend(random, 0.1);
-    const Markers before = markers_of(finger,
-                                      {bend.curl + moved.curl,
-                                       bend.hook + moved.hook,
-                                       bend.sway + moved.sway,
-                                       bend.lean + moved.lean});
+    const Markers before = markers_of(finger, {bend.curl + moved.curl, bend.hook + moved.hook,
+                                               bend.sway + moved.sway, bend.lean + moved.lean});
     const auto discs = finger.discs(bend);
     const int inner = 1 + static_cast<int>(random() % static_cast<unsigned>(finger.per_row - 2));
     const int hidden = world % 2 == 0 ? inner : finger.per_row + inner;

@@ -49,8 +49,8 @@ struct TwistingFinger {
       Edge& edge = side < 0 ? edges.upper : edges.lower;
       for (double u = 3.5; u < camera.size().width; u += 8.0) {
         if (side < 0) edges.u.push_back(u);
-        const auto right = std::find_if(
-            seen.begin() + 1, seen.end() - 1, [&](const auto& p) { return p.x() > u; });
+        const auto right = std::find_if(seen.begin() + 1, seen.end() - 1,
+                                        [&](const auto& p) { return p.x() > u; });
         const Eigen::Vector2d a = *(right - 1), b = *right;
         edge.v.push_back(a.y() + (b.y() - a.y()) * (u - a.x()) / (b.x() - a.x()));
         edge.sd.push_back(0.03);

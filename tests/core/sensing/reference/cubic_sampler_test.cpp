@@ -45,8 +45,8 @@ Places row_of(std::mt19937& random, int count, double reach) {
 
 std::vector<std::uint8_t> levels_at(const cv::Mat& grey, const Places& places) {
   std::vector<std::uint8_t> levels(places.u.size());
-  CubicSampler(grey).sample(
-      places.u.data(), places.v.data(), static_cast<int>(levels.size()), levels.data());
+  CubicSampler(grey).sample(places.u.data(), places.v.data(), static_cast<int>(levels.size()),
+                            levels.data());
   return levels;
 }
 

@@ -79,10 +79,9 @@ TEST(HiddenEnds, OnlyWhatWasSaidToBeNoFaceIsFlagged) {
   flag_hidden({{2, 2.5, 7.5}, {3, -4.0, 40.0}}, &flags);
   for (int v = 0; v < 10; ++v) {
     EXPECT_EQ(flags.at<std::uint8_t>(v, 1), kOffFace);
-    EXPECT_EQ(flags.at<std::uint8_t>(v, 2),
-              v == 5             ? kTooDark
-              : v >= 3 && v <= 7 ? kHiddenEnd
-                                 : kOffFace);
+    EXPECT_EQ(flags.at<std::uint8_t>(v, 2), v == 5             ? kTooDark
+                                            : v >= 3 && v <= 7 ? kHiddenEnd
+                                                               : kOffFace);
     EXPECT_EQ(flags.at<std::uint8_t>(v, 3), kHiddenEnd);
   }
 }

@@ -50,18 +50,14 @@ double distance_px(const Eigen::MatrixXd& layouts, Eigen::Index row, const Marke
   return sum / used;
 }
 
-Markers near_row(const Eigen::MatrixXd& layouts,
-                 Eigen::Index row,
-                 double off_px,
+Markers near_row(const Eigen::MatrixXd& layouts, Eigen::Index row, double off_px,
                  std::mt19937& random) {
   std::normal_distribution<double> off(0, off_px);
   std::bernoulli_distribution hidden(0.25);
   Markers markers;
   for (Eigen::Index m = 0; m < kMarkers; ++m)
-    markers.push_back({layouts(row, 2 * m) + off(random),
-                       layouts(row, 2 * m + 1) + off(random),
-                       !hidden(random),
-                       0.05});
+    markers.push_back({layouts(row, 2 * m) + off(random), layouts(row, 2 * m + 1) + off(random),
+                       !hidden(random), 0.05});
   return markers;
 }
 
@@ -149,8 +145,8 @@ TEST(LayoutSearch, TellsHowFarAMixtureOfLayoutsLies) {
         mixture += weights[i] * layouts.row(rows.back());
       }
       const Markers markers = near_row(layouts, rows.front(), 3, random);
-      EXPECT_NEAR(
-          search.distance_px(markers, rows, weights), distance_px(mixture, 0, markers), 1e-3);
+      EXPECT_NEAR(search.distance_px(markers, rows, weights), distance_px(mixture, 0, markers),
+                  1e-3);
     }
   }
 }

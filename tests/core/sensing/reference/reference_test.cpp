@@ -58,8 +58,7 @@ struct Mark {
 };
 const std::vector<Mark> kMarks{{0.2, -6}, {0.33, 4}, {0.45, -2}, {0.55, 7}, {0.7, 0}, {0.82, -5}};
 
-Eigen::Vector2d seen_at(const test::MarkedFinger& finger,
-                        const test::Bend& bend,
+Eigen::Vector2d seen_at(const test::MarkedFinger& finger, const test::Bend& bend,
                         const Mark& mark) {
   const auto p = test::MarkedFinger::at(finger.arc(bend), mark.t, 0.0);
   return finger.project(p.x, mark.y + p.y, p.z);
@@ -84,10 +83,8 @@ Markers markers_of(const test::MarkedFinger& finger, const test::Bend& bend) {
 /// How far the centroid of what is darker than its surroundings lies from a place of a picture.
 double centroid_off_px(const cv::Mat& image, const Eigen::Vector2d& place) {
   constexpr int kReach = 8;
-  const cv::Rect window(static_cast<int>(place.x()) - kReach,
-                        static_cast<int>(place.y()) - kReach,
-                        2 * kReach + 1,
-                        2 * kReach + 1);
+  const cv::Rect window(static_cast<int>(place.x()) - kReach, static_cast<int>(place.y()) - kReach,
+                        2 * kReach + 1, 2 * kReach + 1);
   double level = 0, sum = 0;
   Eigen::Vector2d first = Eigen::Vector2d::Zero();
   const cv::Mat near = image(window);
@@ -192,8 +189,8 @@ TEST(ReferenceImage, IsTheSecondMixWhereTheFirstDoesNotShowTheSkin) {
   const cv::Size size(finger.width, finger.height);
   const FaceImage near = warp_face(cv::Mat(size, CV_8UC1, cv::Scalar(50)), shorter, grid),
                   further = warp_face(cv::Mat(size, CV_8UC1, cv::Scalar(90)), chart, grid);
-  const ReferenceImage image(
-      grid, {{{&near}, {1.0F}}, {{&further}, {1.0F}}}, ChartWarp(chart, grid.chart), size);
+  const ReferenceImage image(grid, {{{&near}, {1.0F}}, {{&further}, {1.0F}}},
+                             ChartWarp(chart, grid.chart), size);
   const cv::Mat grey = image.grey();
   const int border = chart.end() - kShorter;
   for (int u = chart.first; u < chart.end(); ++u) {
@@ -277,8 +274,8 @@ double told_sd(int dented) {
 
 TEST(ReferenceError, IsNotThatOfDentsWhichNobodyNoticed) {
   const double clean = told_sd(0), dented = told_sd(1);  // seen in 5 comparisons of 40
-  std::printf(
-      "[ figures  ] references off by %.4f; with 1 of 40 frames dented %.4f\n", clean, dented);
+  std::printf("[ figures  ] references off by %.4f; with 1 of 40 frames dented %.4f\n", clean,
+              dented);
   EXPECT_GT(clean, 0.004);
   EXPECT_LT(clean, 0.013);  // of one cell sqrt(1 + 1/4) %, less what lies between patches
   EXPECT_NEAR(dented / clean, 1.0, 0.3);

@@ -81,8 +81,7 @@ TEST_P(LaidRow, IsThePlainFormulaAlongAndAcross) {
       warp_along(first, {places, 0, row, 0.0F, kColumns}, n, out.data());
       for (int i = 0; i < n; ++i) {
         const auto k = static_cast<std::size_t>(i);
-        const PlainLinear truth = between(place_of(places, k, 40.0, kColumns),
-                                          kColumns,
+        const PlainLinear truth = between(place_of(places, k, 40.0, kColumns), kColumns,
                                           [&](int u) { return static_cast<double>(first[u]); });
         ASSERT_NEAR(out[k], truth.grey, truth.bound) << n << " along, place " << i;
       }
@@ -119,10 +118,8 @@ TEST(LaidRowOfWaves, IsExactEnoughWherePlacesWave) {
       warp_along(first, {places, 0, 40.0F, 0.0F, kColumns}, kPlaces, out.data());
       for (std::size_t i = 0; i < kPlaces; ++i) {
         const PlainLinear truth = between(
-            place_of(places, i, 40.0, kColumns),
-            kColumns,
-            [&](int u) { return static_cast<double>(first[u]); },
-            kPlaceError + kOffParabola);
+            place_of(places, i, 40.0, kColumns), kColumns,
+            [&](int u) { return static_cast<double>(first[u]); }, kPlaceError + kOffParabola);
         ASSERT_NEAR(out[i], truth.grey, truth.bound) << wave_px << " " << high_px << ", " << i;
       }
     }

@@ -13,9 +13,7 @@ TEST(Absorption, FallsWithTheWayFromEachLampAndToTheCamera) {
     const cv::Mat_<float> image = rendered(flat_text(fmt::format(
         "  - {{use: leds, lamps: [{{at_mm: [{}, 3, -2], power: 100000}}, {{at_mm: [4, {}, 5], "
         "power: 60000}}]}}\n  - {{use: absorption, per_mm: {}}}\n",
-        one.x(),
-        two.y(),
-        per_mm)));
+        one.x(), two.y(), per_mm)));
     for_pixels(image.size(), 3, [&](int v, int u) {
       const Eigen::Vector3d p = flat_point(u, v);
       const auto from = [&](const Eigen::Vector3d& lamp, double power) {

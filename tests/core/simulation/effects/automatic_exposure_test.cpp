@@ -21,9 +21,8 @@ TEST(AutomaticExposure, BringsTheMeanToItsTarget) {
         kFaceAndLamps +
         fmt::format("  - {{use: automatic-exposure, target: {}, share: {}}}\n", target, share)));
     const double gain = std::clamp(std::pow(target / mean, share), 0.1, 10.0);
-    for_pixels(plain.size(), 3, [&](int v, int u) {
-      EXPECT_NEAR(got(v, u), gain * plain(v, u), 1e-6 * got(v, u));
-    });
+    for_pixels(plain.size(), 3,
+               [&](int v, int u) { EXPECT_NEAR(got(v, u), gain * plain(v, u), 1e-6 * got(v, u)); });
   }
   const cv::Mat_<float> settled =
       rendered(scene_text(kFaceAndLamps + "  - {use: automatic-exposure, target: 50}\n"));

@@ -84,27 +84,24 @@ TEST(Body, CreepsAndIsDampedAsItsUnitsSay) {
     EXPECT_NEAR(bent(damped, frame) / elastic, 1 - std::exp(-t / 0.4), 2e-3);
   }
   EXPECT_NEAR(bent(creeping, 30, 0.5) / elastic,
-              1.5 - 0.3 * std::exp(-30.5 / 30) - 0.2 * std::exp(-30.5 / 1.5),
-              3e-3);
+              1.5 - 0.3 * std::exp(-30.5 / 30) - 0.2 * std::exp(-30.5 / 1.5), 3e-3);
   // A scene that is played without end begins anew each time.
   EXPECT_EQ(bent(creeping, 407), bent(creeping, 7));
   // Nothing is lost of what is long ago: a load that once was twenty times as large.
   const std::string fast = body(", creep: [{share: 0.3, time_s: 0.05}]");
   const auto once = [&](double first_N) {
     return PlacedScene(
-        with_frames(400,
-                    pushing(fmt::format("s_mm: 80, y_mm: 2, radius_mm: 4, force_N: [{{at: "
-                                        "300, is: {}}}, {{at: 301, is: 0.05}}]",
-                                        first_N)) +
-                        fast));
+        with_frames(400, pushing(fmt::format("s_mm: 80, y_mm: 2, radius_mm: 4, force_N: [{{at: "
+                                             "300, is: {}}}, {{at: 301, is: 0.05}}]",
+                                             first_N)) +
+                             fast));
   };
   EXPECT_NEAR(bent(once(1), 390) / bent(once(0.05), 390), 1, 1e-12);
   EXPECT_GT(bent(once(1), 305) / bent(once(0.05), 305), 1.1);
   // A push that begins later, and one that is over and leaves its creep.
-  const PlacedScene later(
-      with_frames(400,
-                  "  - {use: push, face: back, from: 30, s_mm: 80, radius_mm: 4, force_N: 0.05}\n" +
-                      body(", from: 30, creep: [{share: 0.3, time_s: 1}]")));
+  const PlacedScene later(with_frames(
+      400, "  - {use: push, face: back, from: 30, s_mm: 80, radius_mm: 4, force_N: 0.05}\n" +
+               body(", from: 30, creep: [{share: 0.3, time_s: 1}]")));
   EXPECT_EQ(bent(later, 29), 0);
   const double at_once = bent(later, 30);
   EXPECT_GT(at_once, 1e-3);

@@ -13,10 +13,9 @@ TEST(Bubble, ThinsTheLayerByItsChord) {
       const double radius = random.between(0.3, 0.75);
       const std::string layer =
           fmt::format("  - {{use: layer, scatter_per_mm: 0.6, along: normal{}}}\n", absorb);
-      const Plan plan = plan_of(flat_text(
-          layer +
-          fmt::format(
-              "  - {{use: bubble, s_mm: {}, y_mm: {}, radius_mm: {}}}\n", at.x(), at.y(), radius)));
+      const Plan plan = plan_of(
+          flat_text(layer + fmt::format("  - {{use: bubble, s_mm: {}, y_mm: {}, radius_mm: {}}}\n",
+                                        at.x(), at.y(), radius)));
       const cv::Mat_<float> got = plan.render(0);
       int inside = 0;
       for_pixels(got.size(), 1, [&](int v, int u) {

@@ -56,8 +56,8 @@ inline double share_in(const std::string& effect, int frame, double frames_per_s
 }
 
 /// Share of the pixel within `radius` of the line from a to b, of the flat face.
-inline double part_of(
-    double mm_per_px, int u, int v, Eigen::Vector2d a, Eigen::Vector2d b, double radius) {
+inline double part_of(double mm_per_px, int u, int v, Eigen::Vector2d a, Eigen::Vector2d b,
+                      double radius) {
   const Eigen::Vector2d p = flat_point(u, v).head<2>();
   double nearest = std::min((p - a).norm(), (p - b).norm());
   const double length = (b - a).norm();

@@ -20,10 +20,8 @@ TEST(Flicker, OfTheMainsIsItsMeanOverTheExposure) {
     const double hz = random.between(50, 130), exposure_ms = random.between(0.5, 12),
                  depth = random.between(0.05, 0.9), rate = random.between(20, 60);
     const std::string effect =
-        fmt::format("  - {{use: flicker, kind: mains, hz: {}, exposure_ms: {}, depth: {}}}\n",
-                    hz,
-                    exposure_ms,
-                    depth);
+        fmt::format("  - {{use: flicker, kind: mains, hz: {}, exposure_ms: {}, depth: {}}}\n", hz,
+                    exposure_ms, depth);
     for (const int frame : {0, 1, 7, 40}) {
       const double expected = mean_about(frame / rate, exposure_ms / 1000, [&](double t) {
         return 1 + depth * std::cos(2 * M_PI * hz * t);
@@ -39,10 +37,8 @@ TEST(Flicker, OfSwitchedLampsIsTheTimeThatTheyAreOn) {
     const double hz = random.between(90, 900), exposure_ms = random.between(0.5, 12),
                  duty = random.between(0.1, 0.9), rate = random.between(20, 60);
     const std::string effect =
-        fmt::format("  - {{use: flicker, kind: pwm, hz: {}, exposure_ms: {}, duty: {}}}\n",
-                    hz,
-                    exposure_ms,
-                    duty);
+        fmt::format("  - {{use: flicker, kind: pwm, hz: {}, exposure_ms: {}, duty: {}}}\n", hz,
+                    exposure_ms, duty);
     for (const int frame : {0, 1, 7, 40}) {
       const double expected = mean_about(frame / rate, exposure_ms / 1000, [&](double t) {
         const double part = t * hz - std::floor(t * hz);

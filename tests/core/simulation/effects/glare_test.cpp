@@ -8,16 +8,12 @@ using testing::HasSubstr;
 TEST(Glare, IsThePowerOfTheHalfwayAngle) {
   Parameters random(7);
   for (int i = 0; i < 5; ++i) {
-    const Eigen::Vector3d lamp(
-        random.between(-40, 40), random.between(-20, 20), random.between(-10, 20));
+    const Eigen::Vector3d lamp(random.between(-40, 40), random.between(-20, 20),
+                               random.between(-10, 20));
     const double level = random.between(1, 200), sharpness = random.between(1, 200);
     const cv::Mat_<float> image = rendered(
         flat_text(fmt::format("  - {{use: glare, at_mm: [{}, {}, {}], level: {}, sharpness: {}}}\n",
-                              lamp.x(),
-                              lamp.y(),
-                              lamp.z(),
-                              level,
-                              sharpness)));
+                              lamp.x(), lamp.y(), lamp.z(), level, sharpness)));
     for_pixels(image.size(), 3, [&](int v, int u) {
       const Eigen::Vector3d p = flat_point(u, v);
       const Eigen::Vector3d half = (lamp - p).normalized() + (-p).normalized();

@@ -16,13 +16,9 @@ TEST(Hole, AddsRoomLightWithinItsDisc) {
     const cv::Mat_<float> got = rendered(
         flat_text(kFaceAndLamps +
                   fmt::format("  - {{use: hole, s_mm: {}, y_mm: {}, radius_mm: {}, level: {}}}\n",
-                              at.x(),
-                              at.y(),
-                              radius,
-                              level)));
+                              at.x(), at.y(), radius, level)));
     for_pixels(got.size(), 1, [&](int v, int u) {
-      ASSERT_NEAR(got(v, u),
-                  plain(v, u) + level * part_of(mm_per_px, u, v, at, at, radius),
+      ASSERT_NEAR(got(v, u), plain(v, u) + level * part_of(mm_per_px, u, v, at, at, radius),
                   1e-4 * (1 + level));
     });
   }

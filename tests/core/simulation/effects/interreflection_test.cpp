@@ -25,18 +25,11 @@ std::string box_text(double incline_deg, const std::string& effects) {
       "  face: {{kind: fin_ray, width_mm: {}, layer_mm: 1.5}}\n"
       "untouched: {{x_mm: -20, z_mm: 40, incline_deg: {}, length_mm: {}}}\nframes: 3\neffects:\n{}"
       "  - {{use: sides, albedo: {}, depth_mm: {}}}\n",
-      kBoxWidth_mm,
-      incline_deg,
-      kBoxLength_mm,
-      effects,
-      kBoxAlbedo,
-      kBoxDepth_mm);
+      kBoxWidth_mm, incline_deg, kBoxLength_mm, effects, kBoxAlbedo, kBoxDepth_mm);
 }
 std::string bounce(double face, double sides) {
-  return fmt::format("  - {{use: interreflection, face: {}, sides: {}, depth_mm: {}}}\n",
-                     face,
-                     sides,
-                     kBoxDepth_mm);
+  return fmt::format("  - {{use: interreflection, face: {}, sides: {}, depth_mm: {}}}\n", face,
+                     sides, kBoxDepth_mm);
 }
 const std::string kEvenly =
     "  - {use: leds, lamps: [{at_mm: [0, 0, 0], power: 1.0e-9}]}\n"
@@ -99,8 +92,8 @@ TEST(Interreflection, OfEvenlyLitFacesIsHowells) {
   EXPECT_GT(off.n, 20000);
   EXPECT_GT(on_sides, 5000);
   // Of 100: what linear interpolation on the lattice leaves, most of it at the corners.
-  std::printf(
-      "[ figures  ] mean %.3f sd %.3f worst %.3f\n", off.mean(), std::sqrt(off.variance()), worst);
+  std::printf("[ figures  ] mean %.3f sd %.3f worst %.3f\n", off.mean(), std::sqrt(off.variance()),
+              worst);
   EXPECT_LT(std::abs(off.mean()), 0.08);
   EXPECT_LT(std::sqrt(off.variance()), 0.15);
   EXPECT_LT(worst, 0.9);
@@ -132,11 +125,8 @@ struct LampLit {
   [[nodiscard]] Vector3d inward() const {
     return {std::sin(incline_rad), 0, -std::cos(incline_rad)};
   }
-  [[nodiscard]] static double lamp(const Vector3d& at,
-                                   const Vector3d& from,
-                                   double power,
-                                   const Vector3d& normal,
-                                   double per_mm) {
+  [[nodiscard]] static double lamp(const Vector3d& at, const Vector3d& from, double power,
+                                   const Vector3d& normal, double per_mm) {
     const Vector3d way = from - at;
     const double r = way.norm();
     return power * std::max(0.0, normal.dot(way)) / (r * r * r) * std::exp(-per_mm * r);
@@ -158,13 +148,11 @@ struct LampLit {
       for (double d = kStep / 2; d < kBoxDepth_mm; d += kStep)
         for (const double side : {-1.0, 1.0})
           add(base + s * along() + d * inward() + Vector3d(0, side * kBoxWidth_mm / 2, 0),
-              {0, -side, 0},
-              kBounceSides);
+              {0, -side, 0}, kBounceSides);
     }
     return all;
   }
-  [[nodiscard]] double bounce_at(const Vector3d& at,
-                                 const Vector3d& normal,
+  [[nodiscard]] double bounce_at(const Vector3d& at, const Vector3d& normal,
                                  const std::vector<Patch>& all) const {
     long double sum = 0;
     for (const Patch& patch : all) {
@@ -226,9 +214,7 @@ TEST(Interreflection, GivesNoMoreThanComesIn) {
   for (int i = 0; i < 6; ++i) {
     const std::string lamps =
         fmt::format("  - {{use: leds, lamps: [{{at_mm: [{}, {}, {}], power: 300000}}]}}\n",
-                    random.between(-15, 15),
-                    random.between(-8, 8),
-                    random.between(0, 15));
+                    random.between(-15, 15), random.between(-8, 8), random.between(0, 15));
     const cv::Mat_<float> plain = rendered(box_text(0, lamps));
     const cv::Mat_<float> lit = rendered(box_text(0, lamps + bounce(1, 1)));
     double in = 0, again = 0;

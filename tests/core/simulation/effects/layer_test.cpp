@@ -18,11 +18,9 @@ TEST(Layer, ReflectsByKubelkaAndMunkAtAnyIncline) {
     const double thickness = random.between(0.3, 4);
     const double absorb = i % 3 == 0 ? 0 : scatter * random.between(0.001, 2);
     const bool along_z = i % 2 == 0;
-    std::string text = scene_text(
-        fmt::format("  - {{use: layer, scatter_per_mm: {}, along: {}{}}}\n",
-                    scatter,
-                    along_z ? "z" : "normal",
-                    absorb > 0 ? fmt::format(", absorb_per_mm: {}", absorb) : std::string()));
+    std::string text = scene_text(fmt::format(
+        "  - {{use: layer, scatter_per_mm: {}, along: {}{}}}\n", scatter, along_z ? "z" : "normal",
+        absorb > 0 ? fmt::format(", absorb_per_mm: {}", absorb) : std::string()));
     text.replace(text.find("layer_mm: 1.5"), 13, fmt::format("layer_mm: {}", thickness));
     text.replace(text.find("incline_deg: 34.0"), 17, fmt::format("incline_deg: {}", incline));
     const Plan plan = plan_of(text);

@@ -19,23 +19,18 @@ TEST(Leds, LightByPowerCosineAndDistance) {
     const int count = static_cast<int>(random.between(1, 7));
     for (int k = 0; k < count; ++k) {
       const auto somewhere = [&](double low, double high) {
-        return Eigen::Vector3d(
-            random.between(-40, 40), random.between(-30, 30), random.between(low, high));
+        return Eigen::Vector3d(random.between(-40, 40), random.between(-30, 30),
+                               random.between(low, high));
       };
       Lamp lamp{somewhere(-20, 25), somewhere(28, 90), random.between(1e4, 1e6), 0};
       const int kind = static_cast<int>(random.between(0, 5));
       lamp.lobe = kind == 0 ? 0 : 1 << (kind - 1);
-      reported.push_back(fmt::format("{{at_mm: [{}, {}, {}], power: {}",
-                                     lamp.at.x(),
-                                     lamp.at.y(),
-                                     lamp.at.z(),
-                                     lamp.power) +
-                         (kind == 0 ? "}"
-                                    : fmt::format(", aim_mm: [{}, {}, {}], lobe: {}}}",
-                                                  lamp.aim.x(),
-                                                  lamp.aim.y(),
-                                                  lamp.aim.z(),
-                                                  lamp.lobe)));
+      reported.push_back(fmt::format("{{at_mm: [{}, {}, {}], power: {}", lamp.at.x(), lamp.at.y(),
+                                     lamp.at.z(), lamp.power) +
+                         (kind == 0
+                              ? "}"
+                              : fmt::format(", aim_mm: [{}, {}, {}], lobe: {}}}", lamp.aim.x(),
+                                            lamp.aim.y(), lamp.aim.z(), lamp.lobe)));
       lamps.push_back(lamp);
     }
     const double room = random.between(1, 60);

@@ -8,11 +8,11 @@ constexpr double kProfilePx = 0.04;  // mm
 
 /// Depth at the distances i * kProfilePx from a ball's axis.
 std::vector<double> pressed_profile(double radius, double depth, const std::string& more) {
-  const Plan plan = plan_of(flat_text(
-      fmt::format(
-          "  - {{use: ball, radius_mm: {}, s_mm: 0, y_mm: 0, depth_mm: {}}}\n", radius, depth) +
-          more,
-      "model: orthographic, size: [400, 40], mm_per_px: 0.04, cx: 20, cy: 20"));
+  const Plan plan = plan_of(
+      flat_text(fmt::format("  - {{use: ball, radius_mm: {}, s_mm: 0, y_mm: 0, depth_mm: {}}}\n",
+                            radius, depth) +
+                    more,
+                "model: orthographic, size: [400, 40], mm_per_px: 0.04, cx: 20, cy: 20"));
   const cv::Mat_<float> got = plan.truth(0).depth_mm;
   std::vector<double> profile;
   for (int u = 20; u < 400; ++u) profile.push_back(got(20, u));
@@ -29,8 +29,7 @@ TEST(Rolloff, FallsOffLikeHertzAndFades) {
     const double radius = random.between(1.5, 9), depth = random.between(0.2, 1.2);
     const double fade = i % 2 == 0 ? 0 : random.between(0.2, 5);
     const auto got = pressed_profile(
-        radius,
-        depth,
+        radius, depth,
         fade > 0 ? fmt::format("  - {{use: rolloff, kind: hertz, length_mm: {}}}\n", fade)
                  : "  - {use: rolloff, kind: hertz}\n");
     const double a = std::sqrt(radius * depth), at_rim = ball_at(radius, depth, a);
@@ -78,8 +77,7 @@ TEST(Bulge, IsARingBeyondTheRim) {
     const std::string rolloff = "  - {use: rolloff, kind: hertz, length_mm: 0.6}\n";
     const auto plain = pressed_profile(radius, depth, hertz ? rolloff : "");
     const auto got = pressed_profile(
-        radius,
-        depth,
+        radius, depth,
         (hertz ? rolloff : "") +
             fmt::format("  - {{use: bulge, share: {}, width_mm: {}}}\n", share, width));
     const double rim = hertz ? std::sqrt(radius * depth) : std::sqrt(depth * (2 * radius - depth));
@@ -102,12 +100,7 @@ TEST(Relief, OfATIsTwoBars) {
     const cv::Mat_<float> got =
         plan_of(flat_text(fmt::format("  - {{use: relief, shape: t_bar, size_mm: {}, bar_mm: {}, "
                                       "s_mm: {}, y_mm: {}, depth_mm: {}, rotation_deg: {}}}\n",
-                                      size,
-                                      bar,
-                                      s,
-                                      y,
-                                      depth,
-                                      turned),
+                                      size, bar, s, y, depth, turned),
                           "model: orthographic, size: [400, 400], mm_per_px: 0.04, cx: 200, "
                           "cy: 200"))
             .truth(0)

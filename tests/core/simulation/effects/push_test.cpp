@@ -21,8 +21,8 @@ TEST(Push, DentsTheLayerAsItsForceAndSoftnessSay) {
     const Truth flat = plan_of(flat_text(push)).truth(0);
     ASSERT_EQ(flat.balls.size(), 1U);
     EXPECT_NEAR(flat.balls[0].depth_mm, d, 1e-9);
-    EXPECT_NEAR(
-        (flat.balls[0].centre_mm - Eigen::Vector3d(x, y, 31.5 + radius - d)).norm(), 0, 1e-9);
+    EXPECT_NEAR((flat.balls[0].centre_mm - Eigen::Vector3d(x, y, 31.5 + radius - d)).norm(), 0,
+                1e-9);
     const std::string there = pushing(
         fmt::format("s_mm: {}, y_mm: {}, radius_mm: {}, force_N: {}", x + 50, y, radius, force));
     const Truth firm = plan_of(scene_text(there)).truth(0);
@@ -79,8 +79,7 @@ TEST(Push, DragsTheDotsBesideIt) {
     std::string drag;
     double along_N, across_N;
   };
-  for (const Case& c : {Case{"", 0, 0},
-                        Case{", along_N: 1.1, friction: 0.9", 1.1, 0},
+  for (const Case& c : {Case{"", 0, 0}, Case{", along_N: 1.1, friction: 0.9", 1.1, 0},
                         Case{", along_N: 7, friction: 0.9", 0.9 * 1.5, 0},
                         Case{", along_N: -0.5, across_N: 0.8, friction: 0.9", -0.5, 0.8}}) {
     SCOPED_TRACE(c.drag);

@@ -15,12 +15,7 @@ TEST(Scratch, ChangesTheLightAlongItsLine) {
     const double width = random.between(0.1, 2), change = random.between(-1, 3);
     const cv::Mat_<float> got = rendered(flat_text(fmt::format(
         "  - {{use: scratch, from_mm: [{}, {}], to_mm: [{}, {}], width_mm: {}, change: {}}}\n",
-        a.x(),
-        a.y(),
-        b.x(),
-        b.y(),
-        width,
-        change)));
+        a.x(), a.y(), b.x(), b.y(), width, change)));
     for_pixels(got.size(), 1, [&](int v, int u) {
       ASSERT_NEAR(got(v, u), 1 + change * part_of(mm_per_px, u, v, a, b, width / 2), 2e-4);
     });

@@ -12,8 +12,8 @@ TEST(Sides, AreSeenWhereRaysMeetThem) {
     const double incline = random.between(15, 45) * M_PI / 180;
     std::string text =
         scene_text(fmt::format("  - {{use: sides, albedo: {}, depth_mm: {}}}\n", albedo, deep));
-    text.replace(
-        text.find("incline_deg: 34.0"), 17, fmt::format("incline_deg: {}", incline * 180 / M_PI));
+    text.replace(text.find("incline_deg: 34.0"), 17,
+                 fmt::format("incline_deg: {}", incline * 180 / M_PI));
     const cv::Mat_<float> got = rendered(text);
     const Eigen::Vector3d base(-25, 0, 28), along(std::cos(incline), 0, std::sin(incline));
     const Eigen::Vector3d normal(-std::sin(incline), 0, std::cos(incline));

@@ -13,11 +13,8 @@ TEST(Speck, DarkensItsDisc) {
     const Eigen::Vector2d at(random.between(-20, 20), random.between(-10, 10));
     const double radius = random.between(0.1, 4), darkness = random.between(0.1, 1);
     const cv::Mat_<float> got = rendered(flat_text(
-        fmt::format("  - {{use: speck, s_mm: {}, y_mm: {}, radius_mm: {}, darkness: {}}}\n",
-                    at.x(),
-                    at.y(),
-                    radius,
-                    darkness)));
+        fmt::format("  - {{use: speck, s_mm: {}, y_mm: {}, radius_mm: {}, darkness: {}}}\n", at.x(),
+                    at.y(), radius, darkness)));
     double lost = 0;
     for_pixels(got.size(), 1, [&](int v, int u) {
       ASSERT_NEAR(got(v, u), 1 - darkness * part_of(mm_per_px, u, v, at, at, radius), 1e-4);

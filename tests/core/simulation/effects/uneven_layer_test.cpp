@@ -42,8 +42,8 @@ TEST(UnevenLayer, IsPressedWhereItLies) {
   for (const int u : {150, 155, 158, 163}) {
     const Eigen::Vector3d p = flat_point(u, 90);
     const double ball = 30 + 1.5 - 0.8 + 4 - std::sqrt(16 - p.x() * p.x() - p.y() * p.y());
-    EXPECT_NEAR(
-        truth.untouched_z_mm.at<float>(90, u) - truth.depth_mm.at<float>(90, u), ball, 1e-4);
+    EXPECT_NEAR(truth.untouched_z_mm.at<float>(90, u) - truth.depth_mm.at<float>(90, u), ball,
+                1e-4);
   }
 }
 

@@ -155,12 +155,10 @@ TEST(BondedLayer, PressureAddsUpToTheForceAndEnergyGrowsByIt) {
     EXPECT_EQ(contact.pressure_MPa(d, a * 1.0001), 0);
     const double step = 1e-4 * d;
     EXPECT_NEAR((contact.energy_Nmm(d + step) - contact.energy_Nmm(d - step)) / (2 * step * force),
-                1,
-                1e-6);
+                1, 1e-6);
     EXPECT_NEAR((contact.force_N(d + step) - contact.force_N(d - step)) / (2 * step) /
                     contact.stiffness_N_per_mm(d),
-                1,
-                1e-6);
+                1, 1e-6);
   }
 }
 

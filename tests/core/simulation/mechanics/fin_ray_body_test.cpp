@@ -16,9 +16,7 @@ constexpr double kModulus_MPa = 1.69;
 FinRayBody body_of(const FinRayGeometry& geometry, double modulus = kModulus_MPa) {
   return FinRayBody::create(geometry, modulus).value();
 }
-FinRayGeometry even(double coupling) {
-  return {100, 24, 1.5, 4, 20, 20, coupling};
-}
+FinRayGeometry even(double coupling) { return {100, 24, 1.5, 4, 20, 20, coupling}; }
 FaceCurve straight_face(double length = 100, double incline = 0.6) {
   return {{-25, 1, 28}, incline, length};
 }
@@ -29,12 +27,8 @@ struct RandomFinger {
   FaceCurve rest;
 
   explicit RandomFinger(Parameters& random)
-      : geometry{random.between(60, 140),
-                 random.between(15, 40),
-                 random.between(1, 2.5),
-                 random.between(2, 5),
-                 random.between(20, 50),
-                 random.between(10, 20),
+      : geometry{random.between(60, 140), random.between(15, 40), random.between(1, 2.5),
+                 random.between(2, 5),    random.between(20, 50), random.between(10, 20),
                  random.between(0.1, 1)},
         modulus(random.between(0.5, 4)),
         rest({-25, random.between(-3, 3), 28}, random.between(-0.2, 0.9), geometry.length_mm) {
@@ -143,9 +137,7 @@ TEST(FinRayBody, MovesItsSurfaceWithTheFaceCurve) {
     const RandomFinger random_finger(random);
     const FinRayGeometry& g = random_finger.geometry;
     const FinRayBody body = body_of(g, random_finger.modulus);
-    const BodyModes q(random.between(-15, 15),
-                      random.between(-10, 10),
-                      random.between(-8, 8),
+    const BodyModes q(random.between(-15, 15), random.between(-10, 10), random.between(-8, 8),
                       random.between(-0.4, 0.4));
     FaceCurve curve = random_finger.rest;
     curve.bend(q[0], q[1]);
@@ -232,9 +224,7 @@ TEST(FinRayBody, HoldsTheWorkThatIsDoneOnIt) {
         }
         PointForce drag = forces[n];
         drag.normal_N = 0;
-        now.push_back({at.point_mm - (3 - d) * at.into,
-                       at.point_mm,
-                       forces[n].normal_N * at.into,
+        now.push_back({at.point_mm - (3 - d) * at.into, at.point_mm, forces[n].normal_N * at.into,
                        at.vector_N(drag)});
         if (step == 0) continue;
         work += 0.5 * (before[n].normal_N + now[n].normal_N).dot(now[n].ball - before[n].ball) +

@@ -6,8 +6,8 @@ namespace {
 
 using testing::HasSubstr;
 
-HalfSpaceContact contact_of(
-    double modulus, double radius, double normal, Eigen::Vector2d tangential, double friction) {
+HalfSpaceContact contact_of(double modulus, double radius, double normal,
+                            Eigen::Vector2d tangential, double friction) {
   return HalfSpaceContact::create(modulus, radius, normal, tangential, friction).value();
 }
 
@@ -66,8 +66,7 @@ TEST(HalfSpaceContact, SticksAsMindlinSays) {
       const Eigen::Vector2d at =
           share * contact.stick_radius_mm() * Eigen::Vector2d(std::cos(angle), std::sin(angle));
       EXPECT_NEAR(
-          (contact.displacement_mm(at).head<2>() - moved * Eigen::Vector2d(0.6, 0.8)).norm(),
-          0,
+          (contact.displacement_mm(at).head<2>() - moved * Eigen::Vector2d(0.6, 0.8)).norm(), 0,
           1e-12);
     }
   // Hertz: P = 4/3 E* sqrt(R) d^1.5; the rim goes half as deep; far away it is a point force.

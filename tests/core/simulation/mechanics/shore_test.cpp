@@ -13,8 +13,7 @@ TEST(Shore, GivesGentsModulus) {
   EXPECT_NEAR(modulus_from_shore_a(5).value(), 0.28, 0.003);
   for (const long double s : {1.0L, 20.0L, 55.5L, 90.0L}) {
     const long double gent = 0.0981L * (56 + 7.62336L * s) / (0.137505L * (254 - 2.54L * s));
-    EXPECT_NEAR(modulus_from_shore_a(static_cast<double>(s)).value() / static_cast<double>(gent),
-                1,
+    EXPECT_NEAR(modulus_from_shore_a(static_cast<double>(s)).value() / static_cast<double>(gent), 1,
                 0.006);  // he gave 7.62336, others round to 7.66
   }
 }

@@ -139,10 +139,8 @@ TEST(ShippedScenes, ExperimentReferences) {
     by_single += distance_px(now, recorded.front()) < kClose_px;
     by_nearest += nearest < kClose_px;
   }
-  std::printf("[ figures  ] under 40 px: %d of 40 with one reference, %d with %zu\n",
-              by_single,
-              by_nearest,
-              recorded.size());
+  std::printf("[ figures  ] under 40 px: %d of 40 with one reference, %d with %zu\n", by_single,
+              by_nearest, recorded.size());
   EXPECT_GE(by_nearest, 38);
   EXPECT_LE(by_single, 28);
 }
@@ -210,8 +208,8 @@ TEST(ShippedScenes, ExperimentThreadM8) {
       crests.push_back(face.place(plan, u, v, truth.view_z_mm.at<float>(v, u)).x());
   }
   ASSERT_GE(crests.size(), 9U);
-  EXPECT_NEAR(
-      (crests.back() - crests.front()) / static_cast<double>(crests.size() - 1), 1.25, 0.03);
+  EXPECT_NEAR((crests.back() - crests.front()) / static_cast<double>(crests.size() - 1), 1.25,
+              0.03);
 }
 
 TEST(ShippedScenes, ExperimentUsbPlug) {

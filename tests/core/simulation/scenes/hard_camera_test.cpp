@@ -162,9 +162,8 @@ TEST(ShippedScenes, HardWideLens) {
   const Truth bent = scene.plan().truth(0), straight = scene.plan({"distortion"}).truth(0);
   double most = 0;
   for (std::size_t i = 0; i < bent.markers.size(); ++i)
-    most = std::max(most,
-                    std::hypot(bent.markers[i].u - straight.markers[i].u,
-                               bent.markers[i].v - straight.markers[i].v));
+    most = std::max(most, std::hypot(bent.markers[i].u - straight.markers[i].u,
+                                     bent.markers[i].v - straight.markers[i].v));
   EXPECT_GT(most, 15);
   EXPECT_LT(most, 60);
 }

@@ -79,8 +79,7 @@ TEST(ShippedScenes, HardAbsorbingBody) {
     const double cos = std::cos(34 * std::numbers::pi / 180);
     const double left = 1.5 - truth.depth_mm.at<float>(at) * cos;
     EXPECT_NEAR(plan.render(frame).at<float>(at) / untouched.render(frame).at<float>(at),
-                layer_reflectance(0.6, 0.06, left) / layer_reflectance(0.6, 0.06, 1.5),
-                1e-4);
+                layer_reflectance(0.6, 0.06, left) / layer_reflectance(0.6, 0.06, 1.5), 1e-4);
   }
 }
 
@@ -157,10 +156,8 @@ TEST(ShippedScenes, HardUnevenLayer) {
   const Plan plan = scene.plan({ALLTACT_BARE, "ball"});
   cv::Scalar mean, sd;
   cv::meanStdDev(
-      ratio_of(plan.render(0), scene.plan({ALLTACT_BARE, "ball", "uneven-layer"}).render(0)),
-      mean,
-      sd,
-      within_face(plan.truth(0), 2));
+      ratio_of(plan.render(0), scene.plan({ALLTACT_BARE, "ball", "uneven-layer"}).render(0)), mean,
+      sd, within_face(plan.truth(0), 2));
   // d ln R / d ln t = 1 / (1 + S t) of a thickness that varies by 0.05.
   EXPECT_NEAR(sd[0], 0.05 / (1 + 0.6 * 1.5), 0.009);
   EXPECT_NEAR(mean[0], 1, 0.02);
