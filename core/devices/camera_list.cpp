@@ -1,5 +1,7 @@
 #include "core/devices/camera_list.h"
 
+#include "core/open/open_source.h"
+
 #include <cerrno>
 #include <cstring>
 #include <map>
@@ -209,5 +211,17 @@ Result<std::unique_ptr<V4l2Camera>> open_camera(const std::string& requested,
   if (!identity) return identity.error();
   return V4l2Camera::open(access_of(calls, *identity), criteria, controls);
 }
+
+namespace {
+
+Result<std::unique_ptr<Source>> open_camera_input(const fs::path& name, const SourceOptions&) {
+  auto camera = open_camera(name.string());
+  if (!camera) return camera.error();
+  return std::unique_ptr<Source>(std::make_unique<CameraSource>(std::move(*camera)));
+}
+
+[[maybe_unused]] const bool kIsCameraKnown = add_input_kind(InputKind::kCamera, open_camera_input);
+
+}  // namespace
 
 }  // namespace alltact

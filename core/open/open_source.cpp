@@ -1,7 +1,5 @@
 #include "core/open/open_source.h"
 
-#include "core/devices/camera_list.h"
-#include "core/simulation/simulated_source.h"
 #include "core/sources/file_source.h"
 
 namespace alltact {
@@ -34,17 +32,17 @@ bool may_name_camera(const fs::path& input) {
          !is_video(input) && !is_scene(input);
 }
 
-Result<std::unique_ptr<Source>> open_camera_source(const fs::path& name) {
-  auto camera = open_camera(name.string());
-  if (!camera) return camera.error();
-  return std::unique_ptr<Source>(std::make_unique<CameraSource>(std::move(*camera)));
+SourceOpener& opener_of(InputKind kind) {
+  static std::array<SourceOpener, 2> openers{};
+  return openers.at(static_cast<std::size_t>(kind));
 }
 
 /// Opens a video or a scene; empty for images and their folders.
 std::optional<Result<std::unique_ptr<Source>>> open_single(const fs::path& input,
                                                            const SourceOptions& options) {
   if (is_video(input)) return open_video(input, options);
-  if (is_scene(input)) return SimulatedSource::open(input, options);
+  if (const SourceOpener opener = opener_of(InputKind::kScene); opener && is_scene(input))
+    return opener(input, options);
   return std::nullopt;
 }
 
@@ -71,6 +69,11 @@ Result<std::unique_ptr<Source>> open_images(const std::vector<fs::path>& inputs)
 
 }  // namespace
 
+bool add_input_kind(InputKind kind, SourceOpener opener) {
+  opener_of(kind) = opener;
+  return true;
+}
+
 bool is_video(const fs::path& file) {
   static constexpr std::array kExtensions{".mkv", ".avi", ".mp4"};
   return is_one_of(extension_of(file), kExtensions);
@@ -78,8 +81,9 @@ bool is_video(const fs::path& file) {
 
 Result<std::unique_ptr<Source>> open_source(const std::vector<fs::path>& inputs,
                                             const SourceOptions& options) {
-  if (inputs.size() == 1 && may_name_camera(inputs.front()))
-    return open_camera_source(inputs.front());
+  if (const SourceOpener opener = opener_of(InputKind::kCamera);
+      opener && inputs.size() == 1 && may_name_camera(inputs.front()))
+    return opener(inputs.front(), options);
   if (inputs.empty())
     return Error{en::say("no input was given"), "",
                  en::say("specify an image, a folder of images, a video, a scene or a camera")};

@@ -27,4 +27,13 @@ namespace alltact {
 [[nodiscard]] Result<std::unique_ptr<Source>> open_source(
     const std::vector<std::filesystem::path>& inputs, const SourceOptions& options = {});
 
+/// Inputs that libraries above this one open: each adds its own when it is loaded. In a program
+/// that is not linked to them such an input is none.
+enum class InputKind { kCamera, kScene };
+using SourceOpener = Result<std::unique_ptr<Source>> (*)(const std::filesystem::path& input,
+                                                         const SourceOptions& options);
+
+/// Returns true, so that a constant of the library can call it. Before main() only.
+bool add_input_kind(InputKind kind, SourceOpener opener);
+
 }  // namespace alltact

@@ -1,5 +1,7 @@
 #include "core/simulation/simulated_source.h"
 
+#include "core/open/open_source.h"
+
 #include <limits>
 
 namespace alltact {
@@ -45,5 +47,10 @@ Result<FramePtr> SimulatedSource::next() {
   if (!pacer_.wait_for(frame->time_ns + std::llround(1e6 * arrival.late_ms))) return FramePtr();
   return FramePtr(std::move(frame));
 }
+
+namespace {
+[[maybe_unused]] const bool kIsSceneKnown =
+    add_input_kind(InputKind::kScene, SimulatedSource::open);
+}  // namespace
 
 }  // namespace alltact

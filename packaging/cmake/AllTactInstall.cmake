@@ -10,10 +10,7 @@ set(alltact_data ${CMAKE_INSTALL_DATADIR}/alltact)
 install(TARGETS alltact alltact-studio RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS alltact_commands alltact_figures LIBRARY DESTINATION ${ALLTACT_PARTS_FOLDER})
 
-# --- libraries, for our programs and for others': find_package(alltact)
-install(TARGETS alltact_core alltact_calibration EXPORT alltact
-        LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
-        INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+# --- what find_package(alltact) needs for the libraries, which core and calibration install
 set(alltact_cmake_folder ${CMAKE_INSTALL_LIBDIR}/cmake/alltact)
 install(EXPORT alltact NAMESPACE alltact:: FILE alltact-targets.cmake DESTINATION ${alltact_cmake_folder})
 configure_package_config_file(${alltact_packaging}/cmake/alltact-config.cmake.in ${alltact_built}/alltact-config.cmake

@@ -63,17 +63,22 @@ if(ALLTACT_SANITIZE)
   endif()
 endif()
 
-# alltact_library(NAME [SHARED] [TOGETHER] SOURCES... PUBLIC libs... PRIVATE libs... PCH headers... | PCH_OF target)
+# alltact_library(NAME [SHARED] [FOLDERS...] [SOURCES...] PUBLIC libs... PRIVATE libs... PCH headers... | PCH_OF target)
 # makes the library alltact_NAME with the alias alltact::NAME; static unless several parts of a program share it. A shared
 # one is installed for other programs too (AllTactInstall.cmake); what it offers may change with the minor version.
-# TOGETHER: see alltact_compile_together. PCH_OF: the precompiled header that another target has already.
+# FOLDERS: all sources below them. PCH_OF: the precompiled header that another library has already.
 function(alltact_library name)
-  cmake_parse_arguments(arg "SHARED;TOGETHER" "PCH_OF" "SOURCES;PUBLIC;PRIVATE;PCH" ${ARGN})
+  cmake_parse_arguments(arg "SHARED" "PCH_OF" "FOLDERS;SOURCES;PUBLIC;PRIVATE;PCH" ${ARGN})
+  foreach(folder IN LISTS arg_FOLDERS)
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${folder}/*.cpp)
+    list(APPEND arg_SOURCES ${sources})
+  endforeach()
   if(arg_SHARED)
     add_library(alltact_${name} SHARED ${arg_SOURCES})
     set_target_properties(
       alltact_${name} PROPERTIES OUTPUT_NAME alltact-${name} EXPORT_NAME ${name} VERSION ${PROJECT_VERSION}
-                                 SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+                                 SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
+                                 DEFINE_SYMBOL "") # one precompiled header serves several
     if(NOT ALLTACT_SANITIZE MATCHES fuzzer) # whose program brings what its libraries call
       target_link_options(alltact_${name} PRIVATE -Wl,--no-undefined)
     endif()
@@ -92,9 +97,19 @@ function(alltact_library name)
     target_precompile_headers(alltact_${name} PRIVATE ${arg_PCH})
   endif()
   alltact_system_includes(alltact_${name})
-  if(arg_TOGETHER)
-    alltact_compile_together(alltact_${name})
-  endif()
+  alltact_compile_together(alltact_${name})
+endfunction()
+
+# alltact_libraries(NAME libraries...) makes alltact::NAME of several shared libraries, for programs that use most of them.
+function(alltact_libraries name)
+  list(TRANSFORM ARGN PREPEND alltact_)
+  add_library(alltact_${name} INTERFACE)
+  add_library(alltact::${name} ALIAS alltact_${name})
+  set_target_properties(alltact_${name} PROPERTIES EXPORT_NAME ${name})
+  target_link_libraries(alltact_${name} INTERFACE ${ARGN})
+  install(TARGETS alltact_${name} ${ARGN} EXPORT alltact
+          LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
+          INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 endfunction()
 
 # OpenCV's headers warn by the hundred in C++20; nobody here can mend them.

@@ -59,7 +59,7 @@ TEST_F(Installed, LoadsNothingFromWhereItWasBuilt) {
   const ProgramRun loaded = run_shell("LD_DEBUG=libs " + quoted(tree() / "bin/alltact") +
                                       " simulate --effects 2>&1 | grep 'calling init'");
   EXPECT_THAT(loaded.output, HasSubstr("another place"));
-  EXPECT_THAT(loaded.output, HasSubstr("liballtact-core.so"));
+  EXPECT_THAT(loaded.output, HasSubstr("liballtact-sensing.so"));
   EXPECT_THAT(loaded.output, Not(HasSubstr(std::string(ALLTACT_BUILD_DIR))));
 }
 

@@ -2,7 +2,7 @@
 
 #include "calibration/checks/check_history.h"
 #include "calibration/finger/calibration_report.h"
-#include "calibration/report/calibration_faults.h"
+#include "calibration/experiments/simulated_fault.h"
 #include "core/base/atomic_file.h"
 #include "core/base/job.h"
 #include "core/base/result.h"

@@ -1,7 +1,7 @@
 #include "widgets/report/calibration_pages.h"
 
 #include "calibration/checks/check_history.h"
-#include "calibration/report/calibration_faults.h"
+#include "calibration/experiments/simulated_fault.h"
 #include "tests/support/good_evidence.h"
 #include "tests/support/program.h"
 #include "widgets/report/document.h"
