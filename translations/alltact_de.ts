@@ -9533,6 +9533,10 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>ein anderes Bild, in dem der Finger ruht</translation>
     </message>
     <message>
+        <source>frame {}: something may have pressed on the contact face, {:.0f} mm from its base ({:.1f} % darker than untouched)</source>
+        <translation>Bild {}: Etwas drückte vielleicht auf die Kontaktfläche, {} mm von ihrem Fuß ({} % dunkler als unberührt)</translation>
+    </message>
+    <message>
         <source>frame {}: something pressed on the contact face, {:.0f} mm from its base ({:.0f} % darker than untouched)</source>
         <translation>Bild {}: Etwas drückte auf die Kontaktfläche, {} mm von ihrem Fuß ({} % dunkler als unberührt)</translation>
     </message>

@@ -9490,6 +9490,10 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>另一帧手指静止的画面</translation>
     </message>
     <message>
+        <source>frame {}: something may have pressed on the contact face, {:.0f} mm from its base ({:.1f} % darker than untouched)</source>
+        <translation>第 {} 帧：可能有物体按压接触面，距根部 {} mm（比未触碰时暗 {} %）</translation>
+    </message>
+    <message>
         <source>frame {}: something pressed on the contact face, {:.0f} mm from its base ({:.0f} % darker than untouched)</source>
         <translation>第 {} 帧：有物体按压接触面，距根部 {} mm（比未触碰时暗 {} %）</translation>
     </message>

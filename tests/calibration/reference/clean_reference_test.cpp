@@ -191,6 +191,11 @@ TEST(CleanReference, StretchesAreNamedAndChoicesHonoured) {
   EXPECT_NEAR(chosen->frames_retained + chosen->repeated,
               report->frames_retained + report->repeated + (stretch.last - stretch.first + 1) - 20,
               8);
+  choices.leave_out = {{stretch.first, stretch.last}};
+  const auto left_out = installed(recording, finger, choices);
+  ASSERT_TRUE(left_out.ok()) << left_out.error().sentence();
+  EXPECT_FALSE(left_out->stretches.front().is_retained) << "leaving out wins";
+  EXPECT_TRUE(is_left_out(*left_out, 10));
 }
 
 TEST(CleanReference, AReferenceFromBeforeAccusesNoUntouchedFrame) {
