@@ -32,8 +32,8 @@ bool may_name_camera(const fs::path& input) {
          !is_video(input) && !is_scene(input);
 }
 
-SourceOpener& opener_of(InputKind kind) {
-  static std::array<SourceOpener, 2> openers{};
+InputOpener& opener_of(InputKind kind) {
+  static std::array<InputOpener, 2> openers{};
   return openers.at(static_cast<std::size_t>(kind));
 }
 
@@ -41,7 +41,7 @@ SourceOpener& opener_of(InputKind kind) {
 std::optional<Result<std::unique_ptr<Source>>> open_single(const fs::path& input,
                                                            const SourceOptions& options) {
   if (is_video(input)) return open_video(input, options);
-  if (const SourceOpener opener = opener_of(InputKind::kScene); opener && is_scene(input))
+  if (const InputOpener opener = opener_of(InputKind::kScene); opener && is_scene(input))
     return opener(input, options);
   return std::nullopt;
 }
@@ -69,7 +69,7 @@ Result<std::unique_ptr<Source>> open_images(const std::vector<fs::path>& inputs)
 
 }  // namespace
 
-bool add_input_kind(InputKind kind, SourceOpener opener) {
+bool add_input_kind(InputKind kind, InputOpener opener) {
   opener_of(kind) = opener;
   return true;
 }
@@ -81,7 +81,7 @@ bool is_video(const fs::path& file) {
 
 Result<std::unique_ptr<Source>> open_source(const std::vector<fs::path>& inputs,
                                             const SourceOptions& options) {
-  if (const SourceOpener opener = opener_of(InputKind::kCamera);
+  if (const InputOpener opener = opener_of(InputKind::kCamera);
       opener && inputs.size() == 1 && may_name_camera(inputs.front()))
     return opener(inputs.front(), options);
   if (inputs.empty())

@@ -30,10 +30,10 @@ namespace alltact {
 /// Inputs that libraries above this one open: each adds its own when it is loaded. In a program
 /// that is not linked to them such an input is none.
 enum class InputKind { kCamera, kScene };
-using SourceOpener = Result<std::unique_ptr<Source>> (*)(const std::filesystem::path& input,
-                                                         const SourceOptions& options);
+using InputOpener = Result<std::unique_ptr<Source>> (*)(const std::filesystem::path& input,
+                                                        const SourceOptions& options);
 
 /// Returns true, so that a constant of the library can call it. Before main() only.
-bool add_input_kind(InputKind kind, SourceOpener opener);
+bool add_input_kind(InputKind kind, InputOpener opener);
 
 }  // namespace alltact
