@@ -65,7 +65,8 @@ Result<ContactFreeCheck> check_contact_free(const FingerSnapshot& snapshot,
     return Error{en::say("the finger is not calibrated yet"), folder.string(),
                  en::say("calibrate with ball presses")};
   const Mapping& mapping = *snapshot.mapping;
-  auto pipeline = Pipeline::create(snapshot, measuring_settings(folder), Job(job, 0.0, 0.6));
+  const PipelineSettings settings = measuring_settings(folder);
+  auto pipeline = Pipeline::create(snapshot, settings, Job(job, 0.0, 0.6));
   if (!pipeline) return pipeline.error();
   auto source = open_source(images);
   if (!source) return source.error();
@@ -87,7 +88,7 @@ Result<ContactFreeCheck> check_contact_free(const FingerSnapshot& snapshot,
       continue;
     }
     DifferenceOptions as_it_is;
-    as_it_is.smoothing = smoothing_of(pipeline->settings().smoothing_px);
+    as_it_is.smoothing = smoothing_of(settings.smoothing_px);
     as_it_is.noise_sd = result->edges ? result->edges->noise_sd : as_it_is.noise_sd;
     const DepthMap uncorrected =
         depth_map(result->grey, *result->reference, *result->shape, as_it_is, mapping);

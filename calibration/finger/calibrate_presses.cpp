@@ -109,7 +109,7 @@ Result<Pipeline> make_pipeline(const CalibrationWork& work, const FingerCalibrat
   if (done.inputs.calibration.method == CalibrationMethod::kPaper) {
     auto method = paper_method_of(work, blank, job);
     if (!method) return method.error();
-    return Pipeline::with_paper_method(std::move(method).value());
+    return Pipeline(std::make_unique<PaperMethod>(std::move(method).value()));
   }
   if (!work.untouched)
     return Pipeline::create(blank, settings_for_presses(done.inputs.pipeline), job);

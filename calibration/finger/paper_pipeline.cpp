@@ -39,7 +39,7 @@ Result<std::vector<Press>> paper_presses(PaperMethod& method, const std::vector<
     const PressNote& note = press_set.of(frame->name);
     if (note.excluded || note.step_mm) continue;
     method.forget();
-    auto result = method(frame);
+    auto result = method.measure(frame);
     if (!result) return result.error();
     if (!result->difference) {
       if (!result->problems.empty()) reason = result->problems.front();
@@ -59,7 +59,7 @@ Result<Pipeline> paper_pipeline(const FingerSnapshot& finger, const Job& job) {
   if (is_calibrated_as_paper(finger)) {
     auto method = PaperMethod::create(finger, job);
     if (!method) return method.error();
-    return Pipeline::with_paper_method(std::move(method).value());
+    return Pipeline(std::make_unique<PaperMethod>(std::move(method).value()));
   }
   const auto inputs = CalibrationInputs::load(finger.folder);
   if (!inputs)
@@ -77,7 +77,7 @@ Result<Pipeline> paper_pipeline(const FingerSnapshot& finger, const Job& job) {
   if (!calibration) return calibration.error();
   auto mapping = Mapping::create(calibration->mapping);
   if (!mapping) return mapping.error();
-  return Pipeline::with_paper_method(method->with(std::move(mapping).value()));
+  return Pipeline(std::make_unique<PaperMethod>(method->with(std::move(mapping).value())));
 }
 
 }  // namespace alltact

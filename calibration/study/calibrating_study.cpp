@@ -422,7 +422,7 @@ Result<std::vector<float>> CalibratingBench::errors_mm(const Mapping& mapping, b
   std::optional<Pipeline> pipeline;
   if (is_paper) {
     if (const Status ready = need_paper(job); !ready) return ready.error();
-    pipeline = Pipeline::with_paper_method(paper_->with(mapping));
+    pipeline.emplace(std::make_unique<PaperMethod>(paper_->with(mapping)));
   } else {
     FingerSnapshot measuring = finger();
     measuring.mapping = mapping;

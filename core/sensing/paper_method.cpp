@@ -79,7 +79,7 @@ PaperMethod PaperMethod::with(std::optional<Mapping> mapping) const {
   return other;
 }
 
-Result<FrameResult> PaperMethod::operator()(const FramePtr& frame) {
+Result<FrameResult> PaperMethod::measure(const FramePtr& frame) {
   StopWatch watch;
   FrameResult result;
   result.frame = frame;

@@ -22,6 +22,7 @@
 #include "core/sensing/face/face_shape.h"
 #include "core/sensing/frame_result.h"
 #include "core/sensing/markers/markers.h"
+#include "core/sensing/pipeline.h"
 #include "core/sensing/reference/reference_library.h"
 
 #include <filesystem>
@@ -72,7 +73,7 @@ class PaperReference {
   std::vector<Recorded> frames_;  // at least one
 };
 
-class PaperMethod {
+class PaperMethod : public MeasuringMethod {
  public:
   /// Reads the finger's recording (of a flat sensor: its reference image). Takes the mapping of the
   /// finger for depth, where it has one. Errors: no recording, no markers, those of
@@ -86,13 +87,11 @@ class PaperMethod {
   /// A copy with another mapping.
   [[nodiscard]] PaperMethod with(std::optional<Mapping> mapping) const;
 
-  /// As Pipeline::operator(), without `push`, `contact` and `force`.
-  [[nodiscard]] Result<FrameResult> operator()(const FramePtr& frame);
-  /// Call before a frame that does not follow the last one in time.
-  void forget() { last_.reset(); }
-
-  [[nodiscard]] const Finger& finger() const { return finger_; }
-  [[nodiscard]] const Camera& camera() const { return camera_; }
+  /// Without `push`, `contact` and `force`.
+  [[nodiscard]] Result<FrameResult> measure(const FramePtr& frame) override;
+  void forget() override { last_.reset(); }
+  [[nodiscard]] const Finger& finger() const override { return finger_; }
+  [[nodiscard]] const Camera& camera() const override { return camera_; }
 
  private:
   explicit PaperMethod(const FingerSnapshot& finger)

@@ -2,6 +2,8 @@
 
 #include "core/sensing/depth/depth_sd.h"
 #include "core/sensing/depth/smoothing.h"
+#include "core/sensing/force/force_meter.h"
+#include "core/sensing/markers/marker_tracker.h"
 #include "core/sensing/reference/recorded_poses.h"
 
 #include <algorithm>
@@ -68,18 +70,72 @@ std::optional<Mapping> mapping_as_measured(const std::optional<Mapping>& mapping
   return parallel ? std::optional(std::move(parallel).value()) : mapping;
 }
 
-}  // namespace
+/// The program's own method, as far as it is known what finger it measures.
+class MeasuringSteps : public MeasuringMethod {
+ public:
+  explicit MeasuringSteps(const PipelineSettings& settings)
+      : settings_(settings),
+        edge_finder_({settings.edge_method, settings.edge_columns}),
+        mean_(settings.average_frames) {}
+  void add_finger(const FingerSnapshot& full_size);
+  void add_library(ReferenceLibrary library, const FingerSnapshot& full_size);
+  [[nodiscard]] const std::optional<Error>& marker_problem() const { return marker_problem_; }
 
-Result<FrameResult> Pipeline::operator()(const FramePtr& frame) { return measure(frame, nullptr); }
+  Result<FrameResult> measure(const FramePtr& frame) override { return measure(frame, nullptr); }
+  Result<FrameResult> measure_untracked(const FramePtr& frame,
+                                        std::optional<FrameContacts>& contacts) override {
+    contacts.reset();
+    return measure(frame, &contacts);
+  }
+  void warm_up(const FramePtr& frame) override;
+  bool has_long_memory() const override {
+    return settings_.average_frames > 1 || (force_ && force_->has_creep());
+  }
+  void forget() override;
+  bool has_reference() const override { return library_.has_value(); }
+  const Finger& finger() const override { return *finger_; }
+  const Camera& camera() const override { return *camera_; }
 
-Result<FrameResult> Pipeline::measure_untracked(const FramePtr& frame,
-                                                std::optional<FrameContacts>& contacts) {
-  contacts.reset();
-  return measure(frame, &contacts);
-}
+ private:
+  Result<FrameResult> measure(const FramePtr& frame, std::optional<FrameContacts>* contacts);
+  // The steps in their order.
+  [[nodiscard]] Result<cv::Mat> oriented(const Frame& frame) const;
+  void check_frame(FrameResult& result);
+  void find_shape(FrameResult& result, StopWatch& watch) const;
+  void find_without_reference(FrameResult& result, StopWatch& watch);
+  bool find_markers(FrameResult& result);
+  void find_markers_by_shape(FrameResult& result) const;
+  void find_reference(FrameResult& result, StopWatch& watch);
+  void find_depth(FrameResult& result, StopWatch& watch) const;
+  void find_contact(FrameResult& result, StopWatch& watch) const;
+  [[nodiscard]] Eigen::MatrixXd markers_covariance(const FrameResult& result) const;
+  void track_contact(FrameResult& result, std::optional<FrameContacts>* contacts, StopWatch& watch);
+  void find_force(FrameResult& result, StopWatch& watch);
 
-void Pipeline::warm_up(const FramePtr& frame) {
-  if (paper_) return;
+  PipelineSettings settings_;
+  FaceEdgeFinder edge_finder_;
+  std::optional<Finger> finger_;
+  std::optional<Camera> camera_;            // with the finger
+  std::optional<FingerSnapshot> snapshot_;  // the same, for converting frames
+  RunningMean mean_;
+  // Before there is a reference.
+  std::optional<EvenRows> rows_;
+  ReferenceFreeContactDetector contact_;
+  // With the reference.
+  std::optional<ReferenceLibrary> library_;
+  std::optional<Mapping> mapping_;
+  std::optional<FaceShape> plane_;         // known beforehand, of flat sensors
+  std::unique_ptr<MarkerFinder> markers_;  // fingers with markers,
+  std::optional<Error> marker_problem_;    // or why they cannot be found
+  std::optional<ForceMeter> force_;        // fingers with a force model,
+  std::optional<Error> force_problem_;     // or why it cannot be used
+  FramePtr last_;                          // of a continuous source
+  // Covariance of the markers' displacements, in a frame with a push
+  Eigen::MatrixXd displacement_cov_px2_;
+  FingerContactTracker contact_tracker_;
+};
+
+void MeasuringSteps::warm_up(const FramePtr& frame) {
   auto grey = oriented(*frame);
   if (!grey || !library_) return;
   FrameResult result;
@@ -90,13 +146,8 @@ void Pipeline::warm_up(const FramePtr& frame) {
   if (result.shape) static_cast<void>(find_markers(result));
 }
 
-bool Pipeline::has_long_memory() const {
-  return settings_.average_frames > 1 || paper_.has_value() || (force_ && force_->has_creep());
-}
-
-Result<FrameResult> Pipeline::measure(const FramePtr& frame,
-                                      std::optional<FrameContacts>* contacts) {
-  if (paper_) return (*paper_)(frame);
+Result<FrameResult> MeasuringSteps::measure(const FramePtr& frame,
+                                            std::optional<FrameContacts>* contacts) {
   StopWatch watch;
   FrameResult result;
   result.frame = frame;
@@ -118,7 +169,7 @@ Result<FrameResult> Pipeline::measure(const FramePtr& frame,
   return result;
 }
 
-Result<cv::Mat> Pipeline::oriented(const Frame& frame) const {
+Result<cv::Mat> MeasuringSteps::oriented(const Frame& frame) const {
   if (!snapshot_) return reduced_image(frame.grey, binning_factor(settings_.resolution));
   return image_for(*snapshot_, frame.grey, en::say("the image"), frame.origin,
                    library_ ? en::say("an image of the size that the finger was calibrated with")
@@ -126,7 +177,7 @@ Result<cv::Mat> Pipeline::oriented(const Frame& frame) const {
                                       "camera"));
 }
 
-void Pipeline::check_frame(FrameResult& result) {
+void MeasuringSteps::check_frame(FrameResult& result) {
   if (auto fault = image_fault(result.grey)) result.problems.push_back(std::move(*fault));
   if (last_ && !is_same_frame(*last_, *result.frame) &&
       is_same_image(last_->grey, result.frame->grey))
@@ -134,7 +185,7 @@ void Pipeline::check_frame(FrameResult& result) {
   last_ = result.frame;
 }
 
-void Pipeline::find_shape(FrameResult& result, StopWatch& watch) const {
+void MeasuringSteps::find_shape(FrameResult& result, StopWatch& watch) const {
   if (plane_) {
     result.shape = plane_;
     return;
@@ -156,7 +207,7 @@ void Pipeline::find_shape(FrameResult& result, StopWatch& watch) const {
   result.shape = std::move(shape).value();
 }
 
-void Pipeline::find_without_reference(FrameResult& result, StopWatch& watch) {
+void MeasuringSteps::find_without_reference(FrameResult& result, StopWatch& watch) {
   result.markers = (*rows_)(result.grey, *result.shape, result.dots);
   watch.lap(result.times_ms.markers);
   const bool is_pressed = contact_(result.grey, *result.shape).has_value();
@@ -165,7 +216,7 @@ void Pipeline::find_without_reference(FrameResult& result, StopWatch& watch) {
 }
 
 // Returns false where markers are needed and none were found.
-bool Pipeline::find_markers(FrameResult& result) {
+bool MeasuringSteps::find_markers(FrameResult& result) {
   Message problem;
   if (marker_problem_) {
     problem = en::say("{}.", marker_problem_->message());
@@ -184,7 +235,7 @@ bool Pipeline::find_markers(FrameResult& result) {
   return result.markers.has_value();
 }
 
-void Pipeline::find_markers_by_shape(FrameResult& result) const {
+void MeasuringSteps::find_markers_by_shape(FrameResult& result) const {
   const ShapePoses* poses = library_->shape_poses();
   auto matched = poses ? (*poses)(*result.shape) : std::nullopt;
   if (!matched) return;
@@ -193,7 +244,7 @@ void Pipeline::find_markers_by_shape(FrameResult& result) const {
   result.markers = std::move(matched->markers);
 }
 
-void Pipeline::find_reference(FrameResult& result, StopWatch& watch) {
+void MeasuringSteps::find_reference(FrameResult& result, StopWatch& watch) {
   const bool found = find_markers(result);
   watch.lap(result.times_ms.markers);
   if (!found) return;
@@ -219,7 +270,7 @@ void Pipeline::find_reference(FrameResult& result, StopWatch& watch) {
   watch.lap(result.times_ms.reference);
 }
 
-void Pipeline::find_depth(FrameResult& result, StopWatch& watch) const {
+void MeasuringSteps::find_depth(FrameResult& result, StopWatch& watch) const {
   DifferenceOptions options;
   options.smoothing =
       mapping_ ? smoothing_of(settings_.smoothing_px) : gaussian_smoothing(settings_.smoothing_px);
@@ -242,7 +293,7 @@ void Pipeline::find_depth(FrameResult& result, StopWatch& watch) const {
   watch.lap(result.times_ms.local);
 }
 
-void Pipeline::find_contact(FrameResult& result, StopWatch& watch) const {
+void MeasuringSteps::find_contact(FrameResult& result, StopWatch& watch) const {
   RegionOptions options;
   options.threshold_mm = settings_.contact_threshold_mm;
   options.correlated_px2 = std::pow(smoothing_of(settings_.smoothing_px).noise_factor(), -2);
@@ -260,15 +311,15 @@ void Pipeline::find_contact(FrameResult& result, StopWatch& watch) const {
 }
 
 // Covariance of the markers' displacements from rest, px^2.
-Eigen::MatrixXd Pipeline::markers_covariance(const FrameResult& result) const {
+Eigen::MatrixXd MeasuringSteps::markers_covariance(const FrameResult& result) const {
   const MarkerModel* model = library_->marker_model();
   const Markers& seen = *result.markers;
   return displacement_covariance_px2(
       seen, model && !are_all_seen(seen) ? model->covariance_px2(seen) : std::nullopt);
 }
 
-void Pipeline::track_contact(FrameResult& result, std::optional<FrameContacts>* contacts,
-                             StopWatch& watch) {
+void MeasuringSteps::track_contact(FrameResult& result, std::optional<FrameContacts>* contacts,
+                                   StopWatch& watch) {
   FingerContactTracker::FrameInput signs;
   if (result.frame->time_ns != 0) signs.time_s = 1e-9 * static_cast<double>(result.frame->time_ns);
   signs.shape = &*result.shape;
@@ -288,7 +339,7 @@ void Pipeline::track_contact(FrameResult& result, std::optional<FrameContacts>* 
   result.times_ms.contact += milliseconds;
 }
 
-void Pipeline::find_force(FrameResult& result, StopWatch& watch) {
+void MeasuringSteps::find_force(FrameResult& result, StopWatch& watch) {
   if (force_problem_) result.problems.push_back(en::say("{}.", force_problem_->message()));
   if (!force_) return;
   std::optional<Eigen::Vector2d> position_mm;
@@ -304,73 +355,41 @@ void Pipeline::find_force(FrameResult& result, StopWatch& watch) {
   watch.lap(result.times_ms.force);
 }
 
-Result<Pipeline> Pipeline::create(const FingerSnapshot& finger, const PipelineSettings& settings,
-                                  const Job& job) {
-  auto library = ReferenceLibrary::load(finger_as_measured(finger, settings), job);
-  if (!library) return library.error();
-  Pipeline pipeline = with_library(std::move(library).value(), finger, settings);
-  if (pipeline.marker_problem_) return *pipeline.marker_problem_;
-  return pipeline;
+void MeasuringSteps::add_finger(const FingerSnapshot& snapshot) {
+  const Finger& finger = snapshot.finger;
+  finger_ = finger;
+  camera_ = snapshot.camera;
+  snapshot_ = snapshot;
+  edge_finder_ = FaceEdgeFinder({settings_.edge_method, settings_.edge_columns,
+                                 FaceView{snapshot.camera, finger.face.width_mm}});
+  rows_.emplace(finger.markers);
 }
 
-Pipeline Pipeline::with_library(ReferenceLibrary library, const FingerSnapshot& full_size,
-                                const PipelineSettings& settings) {
-  const FingerSnapshot snapshot = finger_as_measured(full_size, settings);
-  const Finger& finger = snapshot.finger;
-  Pipeline pipeline = without_reference(snapshot, settings);
-  pipeline.library_ = std::move(library);
-  pipeline.mapping_ = mapping_as_measured(snapshot.mapping, settings.exact_rays);
-  if (pipeline.mapping_) pipeline.finger_->mapping = pipeline.mapping_->parameters();
+void MeasuringSteps::add_library(ReferenceLibrary library, const FingerSnapshot& full_size) {
+  const Finger& finger = snapshot_->finger;
+  library_ = std::move(library);
+  mapping_ = mapping_as_measured(snapshot_->mapping, settings_.exact_rays);
+  if (mapping_) finger_->mapping = mapping_->parameters();
   if (finger.face.kind == FaceKind::kFlat)
-    pipeline.plane_ = FaceShape::plane(snapshot.camera, finger.face);
+    plane_ = FaceShape::plane(snapshot_->camera, finger.face);
   const bool by_shape = finger.reference && finger.reference->positions;
-  if (const MarkerModel* model = pipeline.library_->marker_model(); model && !by_shape) {
-    auto made = make_marker_finder(settings.marker_method, settings.marker_network, finger, *model);
+  if (const MarkerModel* model = library_->marker_model(); model && !by_shape) {
+    auto made =
+        make_marker_finder(settings_.marker_method, settings_.marker_network, finger, *model);
     if (made)
-      pipeline.markers_ = std::move(made).value();
+      markers_ = std::move(made).value();
     else
-      pipeline.marker_problem_ = made.error();
+      marker_problem_ = made.error();
   }
-  pipeline.force_problem_ = snapshot.force_problem;
-  if (!snapshot.force) return pipeline;
-  if (const Status belongs = snapshot.force->belongs_to(full_size.finger); belongs)
-    pipeline.force_.emplace(snapshot.force);
+  force_problem_ = snapshot_->force_problem;
+  if (!snapshot_->force) return;
+  if (const Status belongs = snapshot_->force->belongs_to(full_size.finger); belongs)
+    force_.emplace(snapshot_->force);
   else
-    pipeline.force_problem_ = belongs.error();
-  return pipeline;
+    force_problem_ = belongs.error();
 }
 
-Pipeline Pipeline::with_paper_method(PaperMethod method) {
-  Pipeline pipeline = without_finger();
-  pipeline.finger_ = method.finger();
-  pipeline.camera_ = method.camera();
-  pipeline.paper_ = std::move(method);
-  return pipeline;
-}
-
-Pipeline Pipeline::without_reference(const FingerSnapshot& full_size,
-                                     const PipelineSettings& settings) {
-  const FingerSnapshot snapshot = finger_as_measured(full_size, settings);
-  const Finger& finger = snapshot.finger;
-  Pipeline pipeline = without_finger(settings);
-  pipeline.finger_ = finger;
-  pipeline.camera_ = snapshot.camera;
-  pipeline.snapshot_ = snapshot;
-  pipeline.edge_finder_ = FaceEdgeFinder({settings.edge_method, settings.edge_columns,
-                                          FaceView{snapshot.camera, finger.face.width_mm}});
-  pipeline.rows_.emplace(finger.markers);
-  return pipeline;
-}
-
-Pipeline::Pipeline(const PipelineSettings& settings)
-    : settings_(settings),
-      edge_finder_({settings.edge_method, settings.edge_columns}),
-      mean_(settings.average_frames) {}
-
-Pipeline Pipeline::without_finger(const PipelineSettings& settings) { return Pipeline(settings); }
-
-void Pipeline::forget() {
-  if (paper_) paper_->forget();
+void MeasuringSteps::forget() {
   if (markers_) markers_->forget();
   if (rows_) rows_->forget();
   if (force_) force_->forget();
@@ -378,6 +397,42 @@ void Pipeline::forget() {
   contact_tracker_.forget();
   last_.reset();
   mean_.forget();
+}
+
+std::unique_ptr<MeasuringSteps> steps_with_library(ReferenceLibrary library,
+                                                   const FingerSnapshot& finger,
+                                                   const PipelineSettings& settings) {
+  auto steps = std::make_unique<MeasuringSteps>(settings);
+  steps->add_finger(finger_as_measured(finger, settings));
+  steps->add_library(std::move(library), finger);
+  return steps;
+}
+
+}  // namespace
+
+Result<Pipeline> Pipeline::create(const FingerSnapshot& finger, const PipelineSettings& settings,
+                                  const Job& job) {
+  auto library = ReferenceLibrary::load(finger_as_measured(finger, settings), job);
+  if (!library) return library.error();
+  auto steps = steps_with_library(std::move(library).value(), finger, settings);
+  if (steps->marker_problem()) return *steps->marker_problem();
+  return Pipeline(std::move(steps));
+}
+
+Pipeline Pipeline::with_library(ReferenceLibrary library, const FingerSnapshot& finger,
+                                const PipelineSettings& settings) {
+  return Pipeline(steps_with_library(std::move(library), finger, settings));
+}
+
+Pipeline Pipeline::without_reference(const FingerSnapshot& finger,
+                                     const PipelineSettings& settings) {
+  auto steps = std::make_unique<MeasuringSteps>(settings);
+  steps->add_finger(finger_as_measured(finger, settings));
+  return Pipeline(std::move(steps));
+}
+
+Pipeline Pipeline::without_finger(const PipelineSettings& settings) {
+  return Pipeline(std::make_unique<MeasuringSteps>(settings));
 }
 
 cv::Mat RunningMean::operator()(const cv::Mat& grey) {

@@ -5,10 +5,7 @@
 #include "core/base/result.h"
 #include "core/finger/finger_store.h"
 #include "core/sensing/contact/finger_contact.h"
-#include "core/sensing/force/force_meter.h"
 #include "core/sensing/frame_result.h"
-#include "core/sensing/markers/marker_tracker.h"
-#include "core/sensing/paper_method.h"
 #include "core/sensing/pipeline_settings.h"
 #include "core/sensing/reference/reference_library.h"
 
@@ -16,7 +13,6 @@
 #include <deque>
 #include <memory>
 #include <optional>
-#include <vector>
 
 #include <opencv2/core.hpp>
 
@@ -40,6 +36,29 @@ class RunningMean {
   std::size_t max_frames_;
   std::deque<cv::Mat> last_;
   cv::Mat sum_;  // of last_, CV_16UC1
+};
+
+/// A way to measure frames, in the order of one source. The program has its own (Pipeline::create),
+/// and the source paper's to compare with (paper_method.h).
+class MeasuringMethod {
+ public:
+  virtual ~MeasuringMethod() = default;
+
+  /// Error: the frame's size is not the finger's. Any other failure is a problem in the result.
+  [[nodiscard]] virtual Result<FrameResult> measure(const FramePtr& frame) = 0;
+  /// As Pipeline::measure_untracked().
+  [[nodiscard]] virtual Result<FrameResult> measure_untracked(
+      const FramePtr& frame, std::optional<FrameContacts>& contacts) {
+    contacts.reset();
+    return measure(frame);
+  }
+  virtual void warm_up(const FramePtr& /*frame*/) {}
+  [[nodiscard]] virtual bool has_long_memory() const { return true; }
+  virtual void forget() = 0;
+  [[nodiscard]] virtual bool has_reference() const { return true; }
+  /// Only of a known finger.
+  [[nodiscard]] virtual const Finger& finger() const = 0;
+  [[nodiscard]] virtual const Camera& camera() const = 0;
 };
 
 /// Turns frames into results. Built once from what is known of a finger, which decides how far each
@@ -71,8 +90,8 @@ class Pipeline {
   static Pipeline with_library(ReferenceLibrary library, const FingerSnapshot& finger,
                                const PipelineSettings& settings);
 
-  /// Measures by the source paper's method instead of the program's own.
-  static Pipeline with_paper_method(PaperMethod method);
+  /// Measures by another method than the program's own.
+  explicit Pipeline(std::unique_ptr<MeasuringMethod> method) : method_(std::move(method)) {}
 
   /// For a finger before its reference recording; one that it names is not read.
   static Pipeline without_reference(const FingerSnapshot& finger, const PipelineSettings& settings);
@@ -81,70 +100,35 @@ class Pipeline {
   static Pipeline without_finger(const PipelineSettings& settings = {});
 
   /// Error: the frame's size is not the finger's. Any other failure is a problem in the result.
-  [[nodiscard]] Result<FrameResult> operator()(const FramePtr& frame);
+  [[nodiscard]] Result<FrameResult> operator()(const FramePtr& frame) {
+    return method_->measure(frame);
+  }
 
   /// Measures a frame without tracking: `contact` stays empty. `contacts` receives the input of the
   /// tracker for when the frames before are known (batch.h); nullopt where there is none.
   [[nodiscard]] Result<FrameResult> measure_untracked(const FramePtr& frame,
-                                                      std::optional<FrameContacts>& contacts);
+                                                      std::optional<FrameContacts>& contacts) {
+    return method_->measure_untracked(frame, contacts);
+  }
 
   /// Updates only the state that the next frame needs: the marker positions and the last frame.
-  void warm_up(const FramePtr& frame);
+  void warm_up(const FramePtr& frame) { method_->warm_up(frame); }
 
   /// True when results depend on more than the few frames before: averaged frames, creep in the
   /// force model, or the source paper's method. Such a recording is measured in one piece.
-  [[nodiscard]] bool has_long_memory() const;
+  [[nodiscard]] bool has_long_memory() const { return method_->has_long_memory(); }
 
   /// Call before a frame that does not follow the last one in time.
-  void forget();
+  void forget() { method_->forget(); }
 
-  [[nodiscard]] bool has_reference() const { return library_ || paper_; }
+  [[nodiscard]] bool has_reference() const { return method_->has_reference(); }
   /// As it appears in the measured images (finger_store.h). An unknown finger has neither
   /// finger() nor camera().
-  [[nodiscard]] const Finger& finger() const { return *finger_; }
-  [[nodiscard]] const Camera& camera() const { return *camera_; }
-  [[nodiscard]] const PipelineSettings& settings() const { return settings_; }
+  [[nodiscard]] const Finger& finger() const { return method_->finger(); }
+  [[nodiscard]] const Camera& camera() const { return method_->camera(); }
 
  private:
-  explicit Pipeline(const PipelineSettings& settings);
-  [[nodiscard]] Result<FrameResult> measure(const FramePtr& frame,
-                                            std::optional<FrameContacts>* contacts);
-  // The steps in their order.
-  [[nodiscard]] Result<cv::Mat> oriented(const Frame& frame) const;
-  void check_frame(FrameResult& result);
-  void find_shape(FrameResult& result, StopWatch& watch) const;
-  void find_without_reference(FrameResult& result, StopWatch& watch);
-  bool find_markers(FrameResult& result);
-  void find_markers_by_shape(FrameResult& result) const;
-  void find_reference(FrameResult& result, StopWatch& watch);
-  void find_depth(FrameResult& result, StopWatch& watch) const;
-  void find_contact(FrameResult& result, StopWatch& watch) const;
-  [[nodiscard]] Eigen::MatrixXd markers_covariance(const FrameResult& result) const;
-  void track_contact(FrameResult& result, std::optional<FrameContacts>* contacts, StopWatch& watch);
-  void find_force(FrameResult& result, StopWatch& watch);
-
-  std::optional<PaperMethod> paper_;  // replaces all that follows except finger and camera
-  PipelineSettings settings_;
-  FaceEdgeFinder edge_finder_;
-  std::optional<Finger> finger_;
-  std::optional<Camera> camera_;            // with the finger
-  std::optional<FingerSnapshot> snapshot_;  // the same, for converting frames
-  RunningMean mean_;
-  // Before there is a reference.
-  std::optional<EvenRows> rows_;
-  ReferenceFreeContactDetector contact_;
-  // With the reference.
-  std::optional<ReferenceLibrary> library_;
-  std::optional<Mapping> mapping_;
-  std::optional<FaceShape> plane_;         // known beforehand, of flat sensors
-  std::unique_ptr<MarkerFinder> markers_;  // fingers with markers,
-  std::optional<Error> marker_problem_;    // or why they cannot be found
-  std::optional<ForceMeter> force_;        // fingers with a force model,
-  std::optional<Error> force_problem_;     // or why it cannot be used
-  FramePtr last_;                          // of a continuous source
-  // Covariance of the markers' displacements, in a frame with a push
-  Eigen::MatrixXd displacement_cov_px2_;
-  FingerContactTracker contact_tracker_;
+  std::unique_ptr<MeasuringMethod> method_;
 };
 
 }  // namespace alltact
