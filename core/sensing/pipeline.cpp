@@ -416,23 +416,23 @@ Result<Pipeline> Pipeline::create(const FingerSnapshot& finger, const PipelineSe
   if (!library) return library.error();
   auto steps = steps_with_library(std::move(library).value(), finger, settings);
   if (steps->marker_problem()) return *steps->marker_problem();
-  return Pipeline(std::move(steps));
+  return Pipeline(std::move(steps), settings);
 }
 
 Pipeline Pipeline::with_library(ReferenceLibrary library, const FingerSnapshot& finger,
                                 const PipelineSettings& settings) {
-  return Pipeline(steps_with_library(std::move(library), finger, settings));
+  return Pipeline(steps_with_library(std::move(library), finger, settings), settings);
 }
 
 Pipeline Pipeline::without_reference(const FingerSnapshot& finger,
                                      const PipelineSettings& settings) {
   auto steps = std::make_unique<MeasuringSteps>(settings);
   steps->add_finger(finger_as_measured(finger, settings));
-  return Pipeline(std::move(steps));
+  return Pipeline(std::move(steps), settings);
 }
 
 Pipeline Pipeline::without_finger(const PipelineSettings& settings) {
-  return Pipeline(std::make_unique<MeasuringSteps>(settings));
+  return Pipeline(std::make_unique<MeasuringSteps>(settings), settings);
 }
 
 cv::Mat RunningMean::operator()(const cv::Mat& grey) {

@@ -91,7 +91,8 @@ class Pipeline {
                                const PipelineSettings& settings);
 
   /// Measures by another method than the program's own.
-  explicit Pipeline(std::unique_ptr<MeasuringMethod> method) : method_(std::move(method)) {}
+  explicit Pipeline(std::unique_ptr<MeasuringMethod> method, const PipelineSettings& settings = {})
+      : method_(std::move(method)), settings_(settings) {}
 
   /// For a finger before its reference recording; one that it names is not read.
   static Pipeline without_reference(const FingerSnapshot& finger, const PipelineSettings& settings);
@@ -127,8 +128,11 @@ class Pipeline {
   [[nodiscard]] const Finger& finger() const { return method_->finger(); }
   [[nodiscard]] const Camera& camera() const { return method_->camera(); }
 
+  [[nodiscard]] const PipelineSettings& settings() const { return settings_; }
+
  private:
   std::unique_ptr<MeasuringMethod> method_;
+  PipelineSettings settings_;
 };
 
 }  // namespace alltact

@@ -90,7 +90,7 @@ function(alltact_library name)
   target_link_libraries(
     alltact_${name}
     PUBLIC ${arg_PUBLIC}
-    PRIVATE ${arg_PRIVATE} alltact_options)
+    PRIVATE ${arg_PRIVATE} fmt::fmt alltact_options) # fmt: one precompiled header serves several
   if(arg_PCH_OF)
     target_precompile_headers(alltact_${name} REUSE_FROM ${arg_PCH_OF})
   else()

@@ -27,7 +27,7 @@ class Library:
                 words.append(word)
         self.name = name
         self.folders = [folder / each for each in lists.get("FOLDERS", ["."])]
-        links = lists["PUBLIC"] + lists["PRIVATE"]
+        links = lists["PUBLIC"] + lists.get("PRIVATE", [])
         self.links = [link.removeprefix("alltact::") for link in links if link.startswith("alltact::")]
 
 
