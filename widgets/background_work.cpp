@@ -1,5 +1,9 @@
 #include "widgets/background_work.h"
 
+#include "core/base/guarded.h"
+
+#include <QCoreApplication>
+#include <QMetaObject>
 #include <thread>
 #include <utility>
 
@@ -10,6 +14,18 @@ namespace {
 constexpr int kBetweenLooks_ms = 50;
 
 }  // namespace
+
+UnexpectedErrors& UnexpectedErrors::instance() {
+  static UnexpectedErrors errors;
+  return errors;
+}
+
+UnexpectedErrors::UnexpectedErrors() { moveToThread(QCoreApplication::instance()->thread()); }
+
+void UnexpectedErrors::report(const Error& error) {
+  QMetaObject::invokeMethod(
+      this, [this, error] { Q_EMIT reported(error); }, Qt::QueuedConnection);
+}
 
 struct BackgroundWork::Shared {
   std::mutex mutex;
@@ -39,7 +55,9 @@ void BackgroundWork::start(Work work) {
   since_.start();
   timer_.start(kBetweenLooks_ms);
   std::thread([shared = shared_, work = std::move(work)] {
-    auto at_end = work(shared->job);
+    std::function<void()> at_end;
+    if (const Status ran = guarded([&] { at_end = work(shared->job); }); !ran)
+      UnexpectedErrors::instance().report(ran.error());
     const std::lock_guard lock(shared->mutex);
     shared->at_end = std::move(at_end);
     shared->is_done = true;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/job.h"
+#include "core/base/result.h"
 
 #include <QElapsedTimer>
 #include <QObject>
@@ -13,7 +14,24 @@
 
 namespace alltact {
 
-/// Runs one piece of work at a time.
+/// Where threads of the window report what they could not expect (guarded()); the main window shows
+/// it. Lives on the thread of the window.
+class UnexpectedErrors : public QObject {
+  Q_OBJECT
+ public:
+  [[nodiscard]] static UnexpectedErrors& instance();
+  /// Any thread.
+  void report(const Error& error);
+
+ Q_SIGNALS:
+  void reported(const alltact::Error& error);
+
+ private:
+  UnexpectedErrors();
+};
+
+/// Runs one piece of work at a time. What the work throws is reported to UnexpectedErrors, and
+/// nothing is called afterwards.
 class BackgroundWork : public QObject {
   Q_OBJECT
  public:

@@ -5,15 +5,14 @@
 #include "app/console/flags.h"
 #include "app/console/studio_arguments.h"
 #include "calibration/finger/measuring_presets.h"
+#include "core/base/guarded.h"
 #include "core/base/program.h"
 #include "core/base/slow_disk.h"
 
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
-#include <new>
 #include <optional>
-#include <system_error>
 #include <thread>
 
 #include <fmt/format.h>
@@ -120,21 +119,6 @@ void say_slow_disk(const std::filesystem::path& file) {
   fmt::print(stderr, "{}\n", slow_disk(file).sentence());
 }
 
-/// An error that no function expected: missing memory or threads, else a mistake in this program.
-Error as_error(const std::exception& thrown) {
-  const auto* opencv_error = dynamic_cast<const cv::Exception*>(&thrown);
-  const auto* system = dynamic_cast<const std::system_error*>(&thrown);
-  const bool is_memory =
-      dynamic_cast<const std::bad_alloc*>(&thrown) != nullptr ||
-      (opencv_error != nullptr && opencv_error->code == cv::Error::StsNoMem) ||
-      (system != nullptr && (system->code() == std::errc::resource_unavailable_try_again ||
-                             system->code() == std::errc::not_enough_memory));
-  if (is_memory)
-    return {en::say("there is not enough memory"), "", en::say("close other programs")};
-  return {en::say("unexpected: {}", std::string(thrown.what())), "",
-          en::say("reporting this as a defect")};
-}
-
 /// Starts OpenCV's threads while there is memory for them: where their start fails, their next user
 /// would wait without end.
 void begin_threads() {
@@ -169,8 +153,8 @@ int run(int argc, char** argv) {
     begin_threads();
     const DiskWatch slow_disks(kDiskTimeout, say_slow_disk);
     return console.finish(chosen(console));
-  } catch (const std::exception& error) {
-    return console.finish(as_error(error));
+  } catch (...) {
+    return console.finish(caught_error());
   }
 }
 

@@ -1,9 +1,11 @@
 // `alltact-studio`: the desktop program.
 #include "app/console/studio_arguments.h"
 #include "app/studio/main_window.h"
+#include "core/base/guarded.h"
 #include "core/base/program.h"
 #include "core/base/slow_disk.h"
 #include "core/finger/finger.h"
+#include "widgets/background_work.h"
 #include "widgets/scene3d/vtk_view.h"
 #include "widgets/theme.h"
 
@@ -19,6 +21,18 @@
 #include <opencv2/core/utils/logger.hpp>
 
 namespace {
+
+/// What a slot throws is shown, and the window goes on. Qt itself lets nothing thrown pass.
+class GuardedApplication : public QApplication {
+ public:
+  using QApplication::QApplication;
+  bool notify(QObject* receiver, QEvent* event) override {
+    bool is_handled = false;
+    const Status ran = guarded([&] { is_handled = QApplication::notify(receiver, event); });
+    if (!ran) UnexpectedErrors::instance().report(ran.error());
+    return is_handled;
+  }
+};
 
 /// Exit status when there is nothing more to do; wrong usage is reported in one line.
 std::optional<int> read_arguments(int argc, char** argv, alltact::StudioArguments& requested) {
@@ -66,7 +80,7 @@ int main(int argc, char** argv) {
   cv::setNumThreads(1);  // capture, sensing and painting have a thread each already
   VtkView::prepare_application();
   int only_name = 1;
-  QApplication application(only_name, argv);
+  GuardedApplication application(only_name, argv);
   QCoreApplication::setOrganizationName(QStringLiteral("alltact"));
   QCoreApplication::setApplicationName(QStringLiteral("alltact-studio"));
   QGuiApplication::setDesktopFileName(QStringLiteral("alltact-studio"));

@@ -8,6 +8,7 @@
 #include "calibration/lens/calibrate_lens.h"
 #include "calibration/reference/reference_recording.h"
 #include "core/base/program.h"
+#include "widgets/background_work.h"
 #include "widgets/pages/accuracy_page.h"
 #include "widgets/pages/calibrate_page.h"
 #include "widgets/pages/inspect_page.h"
@@ -100,6 +101,8 @@ MainWindow::MainWindow(const StudioOptions& options, ProgramAppearance& program_
   connect(problems_, &NotificationBar::continue_requested, this, &MainWindow::go_on_with_last);
   connect(&work_, &Workspace::changed, this, &MainWindow::keep);
   connect(source_menu_, &SourceMenu::failed, problems_, &NotificationBar::show_error);
+  connect(&UnexpectedErrors::instance(), &UnexpectedErrors::reported, problems_,
+          &NotificationBar::show_error);
   if (session_store_.last()) live_->set_options(session_store_.last()->view);
   say([this] {
     setWindowTitle(tr("AllTact Studio"));

@@ -1,6 +1,7 @@
 #include "app/studio/session.h"
 
 #include "core/base/atomic_file.h"
+#include "core/base/guarded.h"
 
 #include <algorithm>
 #include <chrono>
@@ -288,7 +289,8 @@ void SessionStore::write(const std::stop_token& stop) {
       state = std::exchange(waiting_, std::nullopt);
     }
     if (state) {
-      const Status written = write_file_atomically(folder_ / kSession, session_to_json(*state));
+      const Status written = guarded(
+          [&] { return write_file_atomically(folder_ / kSession, session_to_json(*state)); });
       const std::lock_guard lock(mutex_);
       problem_ = written ? std::nullopt : std::optional(written.error());
     } else if (stop.stop_requested()) {

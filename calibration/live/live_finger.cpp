@@ -1,6 +1,7 @@
 #include "calibration/live/live_finger.h"
 
 #include "calibration/finger/measuring_presets.h"
+#include "core/base/guarded.h"
 #include "core/finger/force_model.h"
 #include "core/image/colour_map.h"
 #include "core/image/grey_range.h"
@@ -43,7 +44,7 @@ std::optional<Error> force_problem_of(const FingerSnapshot& finger) {
 
 /// A frame that could not be measured is shown raw.
 void measure_into(LiveView& view, Pipeline& pipeline, const FramePtr& frame) {
-  auto result = pipeline(frame);
+  auto result = guarded([&] { return pipeline(frame); });
   if (result) {
     view.result = std::move(*result);
     return;
@@ -113,19 +114,20 @@ void LiveFinger::load(const std::filesystem::path& folder, const std::filesystem
     FingerStatus status;
     status.opened = opened;
     status.folder = folder;
-    const auto finger = folder.empty() ? finger_of_scene(scene) : open_finger(folder);
     Measuring ready{.opened = opened};
-    if (finger) {
+    const Status loaded = guarded([&]() -> Status {
+      const auto finger = folder.empty() ? finger_of_scene(scene) : open_finger(folder);
+      if (!finger) return finger.error();
       status.finger = (*finger)->finger;
       status.warnings = (*finger)->warnings;
       status.force_problem = force_problem_of(**finger);
       auto pipeline = pipeline_of(**finger, loading->job);
-      if (pipeline) ready.pipeline = std::move(*pipeline);
-      if (!pipeline) status.problem = pipeline.error();
+      if (!pipeline) return pipeline.error();
+      ready.pipeline = std::move(*pipeline);
       status.has_reference = ready.pipeline.has_reference();
-    } else {
-      status.problem = finger.error();
-    }
+      return {};
+    });
+    if (!loaded) status.problem = loaded.error();
     status.state = status.problem ? FingerState::kFailed : FingerState::kReady;
     std::optional<Measuring> unused;
     const std::lock_guard lock(state->mutex);
@@ -162,9 +164,12 @@ void LiveFinger::measure(const std::stop_token& stop) {
     measure_into(*view, now.pipeline, frame);
     view->opened = now.opened;
     const FrameResult& result = view->result;
-    if (layers.depth && result.depth)
-      view->depth_layer = depth_layer(*result.depth, view->depth_top_mm);
-    if (layers.faults) view->faults_layer = faults_layer(result.grey, result);
+    const Status drawn = guarded([&] {
+      if (layers.depth && result.depth)
+        view->depth_layer = depth_layer(*result.depth, view->depth_top_mm);
+      if (layers.faults) view->faults_layer = faults_layer(result.grey, result);
+    });
+    if (!drawn) view->problem = drawn.error();
     bool is_new = false;
     std::shared_ptr<const LiveView> missed;
     {

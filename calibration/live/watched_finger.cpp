@@ -1,5 +1,7 @@
 #include "calibration/live/watched_finger.h"
 
+#include "core/base/guarded.h"
+
 #include <utility>
 
 namespace alltact {
@@ -39,7 +41,11 @@ void WatchedFinger::poll(const std::stop_token& stop, std::chrono::milliseconds 
       std::unique_lock lock(mutex_);
       ending_.wait_for(lock, stop, poll_interval, [] { return false; });
     }
-    if (!stop.stop_requested()) poll_once();
+    if (stop.stop_requested()) return;
+    if (const Status polled = guarded([this] { poll_once(); }); !polled) {
+      const std::lock_guard lock(mutex_);
+      problem_ = polled.error();
+    }
   }
 }
 

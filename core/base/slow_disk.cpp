@@ -1,6 +1,7 @@
 #include "core/base/slow_disk.h"
 
 #include "core/base/atomic_file.h"
+#include "core/base/guarded.h"
 
 #include <algorithm>
 #include <atomic>
@@ -185,7 +186,7 @@ struct DiskWatch::State {
     const auto [disk, is_first] = last_slow.try_emplace(mount_point_of(file), now);
     const bool is_new = is_first || now - disk->second > kDiskQuiet;
     disk->second = now;
-    if (is_new) on_slow(file);
+    if (is_new) static_cast<void>(guarded([&] { on_slow(file); }));  // the next report may succeed
   }
 };
 
@@ -228,9 +229,9 @@ DiskQueue::~DiskQueue() {
   thread_.join();
 }
 
-void DiskQueue::add(Task task) {
+void DiskQueue::add(fs::path file, Task task) {
   const std::lock_guard lock(mutex_);
-  tasks_.push_back(std::move(task));
+  tasks_.push_back({std::move(file), std::move(task)});
   changed_.notify_all();
 }
 
@@ -241,12 +242,12 @@ void DiskQueue::wait() {
 
 std::optional<Error> DiskQueue::problem() const {
   const std::lock_guard lock(mutex_);
-  return problem_;
+  return problems_.empty() ? std::nullopt : std::optional(problems_.back().error);
 }
 
 void DiskQueue::clear_problem() {
   const std::lock_guard lock(mutex_);
-  problem_.reset();
+  problems_.clear();
 }
 
 void DiskQueue::work(const std::stop_token& stop) {
@@ -254,14 +255,15 @@ void DiskQueue::work(const std::stop_token& stop) {
   while (true) {
     changed_.wait(lock, stop, [this] { return !tasks_.empty(); });
     if (tasks_.empty()) return;
-    const Task task = std::move(tasks_.front());
+    const auto [file, task] = std::move(tasks_.front());
     tasks_.pop_front();
     is_busy_ = true;
     lock.unlock();
-    const Status status = task();
+    const Status status = guarded(task);
     lock.lock();
     is_busy_ = false;
-    problem_ = status ? std::nullopt : std::optional(status.error());
+    std::erase_if(problems_, [&, &done = file](const Failed& one) { return one.file == done; });
+    if (!status) problems_.push_back({file, status.error()});
     changed_.notify_all();
   }
 }

@@ -68,13 +68,13 @@ class DiskQueue {
   DiskQueue(const DiskQueue&) = delete;
   DiskQueue& operator=(const DiskQueue&) = delete;
 
-  /// Runs tasks one after the other on a thread of its own.
-  void add(Task task);
+  /// Runs tasks one after the other on a thread of its own. `file`: what the task writes.
+  void add(std::filesystem::path file, Task task);
   /// Waits until all tasks are done.
   void wait();
-  /// The error of the latest failed task, until one succeeds.
+  /// The error of the latest failed task, until a later one succeeds in writing the same file.
   [[nodiscard]] std::optional<Error> problem() const;
-  /// Discards the error, when its file is no longer relevant.
+  /// Discards all errors, when their files are no longer relevant.
   void clear_problem();
 
  private:
@@ -82,9 +82,17 @@ class DiskQueue {
 
   mutable std::mutex mutex_;
   std::condition_variable_any changed_;
-  std::deque<Task> tasks_;
+  struct Waiting {
+    std::filesystem::path file;
+    Task task;
+  };
+  struct Failed {
+    std::filesystem::path file;
+    Error error;
+  };
+  std::deque<Waiting> tasks_;
   bool is_busy_ = false;
-  std::optional<Error> problem_;
+  std::vector<Failed> problems_;  // latest last
   std::jthread thread_;
 };
 

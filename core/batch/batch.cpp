@@ -1,5 +1,6 @@
 #include "core/batch/batch.h"
 
+#include "core/base/guarded.h"
 #include "core/sensing/result_json.h"
 
 #include <condition_variable>
@@ -109,9 +110,8 @@ class Batch {
         }
         if (!done(piece->number, std::move(lines))) return;
       }
-    } catch (const std::exception& problem) {
-      fail({en::say("unexpected: {}", std::string(problem.what())), "",
-            en::say("reporting this as a defect")});
+    } catch (...) {
+      fail(caught_error());
     }
   }
 

@@ -1,5 +1,6 @@
 #include "core/devices/gauge_log.h"
 
+#include "core/base/guarded.h"
 #include "core/base/result.h"
 
 #include <cerrno>
@@ -103,7 +104,7 @@ void GaugeLog::run() {
   bool is_reported = false;
   while (!stopping_) {
     if (!source_) {
-      auto again = open_();
+      auto again = guarded(open_);
       if (!again) {
         std::this_thread::sleep_for(kGaugeRetry);
         continue;
@@ -113,7 +114,7 @@ void GaugeLog::run() {
       const std::lock_guard lock(mutex_);
       remarks_.push_back(en::say("The gauge is back."));
     }
-    const auto update = source_->read(kGaugeSlice_ms);
+    const auto update = guarded([this] { return source_->read(kGaugeSlice_ms); });
     if (update) {
       take(*update);
       continue;

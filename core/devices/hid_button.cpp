@@ -1,5 +1,6 @@
 #include "core/devices/hid_button.h"
 
+#include "core/base/guarded.h"
 #include "core/base/message.h"
 
 #include <charconv>
@@ -190,28 +191,29 @@ void HidButton::set_status(Status status) {
 
 void HidButton::run() {
   while (!stopping_) {
-    const auto port = open_();
-    if (port.ok()) {
+    const Status ended = guarded([this]() -> Status {
+      const auto port = open_();
+      if (!port) return port.error();
       set_status({});
-      listen(**port);
-    } else {
-      set_status(port.error());
-    }
+      return listen(**port);
+    });
+    if (!ended) set_status(ended);
     for (const auto end = Clock::now() + kReopenInterval; !stopping_ && Clock::now() < end;)
       std::this_thread::sleep_for(std::chrono::milliseconds(kSlice_ms));
   }
 }
 
-void HidButton::listen(HidPort& port) {
+Status HidButton::listen(HidPort& port) {
   bool was_pressed = false;
   while (!stopping_) {
     const auto report = port.read(100);
-    if (!report.ok()) return set_status(report.error());
+    if (!report.ok()) return report.error();
     if (report->size() != pattern_.report_bytes) continue;  // timeout, or another kind
     const bool is_pressed = pattern_.is_pressed(*report);
     if (is_pressed && !was_pressed) on_press_();
     was_pressed = is_pressed;
   }
+  return {};
 }
 
 }  // namespace alltact

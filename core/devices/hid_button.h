@@ -86,7 +86,7 @@ class HidButton {
 
  private:
   void run();
-  void listen(HidPort& port);
+  Status listen(HidPort& port);
   void set_status(Status status);
 
   Opener open_;

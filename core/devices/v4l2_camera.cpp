@@ -1,5 +1,6 @@
 #include "core/devices/v4l2_camera.h"
 
+#include "core/base/guarded.h"
 #include "core/devices/hot_plug.h"
 #include "core/image/frame.h"
 
@@ -109,15 +110,20 @@ Status V4l2Camera::start(V4l2Device device) {
 
 void V4l2Camera::run() {
   while (!stopping_) {
-    if (device_ == nullptr) {
-      wait_for_plug();
-      if (!stopping_) reconnect();
-    } else if (stream_ == nullptr) {
-      wait_for(*access_.calls, -1, 0, wake_, kRetryInterval_ms);
-      if (!stopping_) restart(*status().trouble);
-    } else {
-      capture();
-    }
+    const Status ran = guarded([this] {
+      if (device_ == nullptr) {
+        wait_for_plug();
+        if (!stopping_) reconnect();
+      } else if (stream_ == nullptr) {
+        wait_for(*access_.calls, -1, 0, wake_, kRetryInterval_ms);
+        if (!stopping_) restart(*status().trouble);
+      } else {
+        capture();
+      }
+    });
+    if (ran) continue;
+    trouble(CameraState::kStalled, ran.error());
+    wait_for(*access_.calls, -1, 0, wake_, kRetryInterval_ms);
   }
 }
 

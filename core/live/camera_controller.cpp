@@ -1,5 +1,7 @@
 #include "core/live/camera_controller.h"
 
+#include "core/base/guarded.h"
+
 #include <chrono>
 #include <condition_variable>
 #include <deque>
@@ -45,15 +47,16 @@ struct CameraController::State {
     const bool lock_requested = is_lock_requested;
     lock.unlock();
     std::optional<Error> problem;
-    bool is_lock_failed = false;
-    for (const ControlValue& change : todo)
-      if (const Status status = working.set_control(change); !status) problem = status.error();
-    if (change_lock && lock_requested) {
-      is_lock_failed = !working.lock().ok();  // unplugged: tried again at the next poll
-    }
-    if (change_lock && !lock_requested) working.unlock();
-    auto controls = working.controls();
-    const bool is_locked = !working.locked().empty();
+    bool is_lock_failed = false, is_locked = false;
+    auto controls = guarded([&] {
+      for (const ControlValue& change : todo)
+        if (const Status status = working.set_control(change); !status) problem = status.error();
+      // Unplugged: tried again at the next poll.
+      if (change_lock && lock_requested) is_lock_failed = !working.lock().ok();
+      if (change_lock && !lock_requested) working.unlock();
+      is_locked = !working.locked().empty();
+      return working.controls();
+    });
     lock.lock();
     if (camera.get() != &working) return;
     if (controls) status.controls = std::move(*controls);

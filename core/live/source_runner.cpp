@@ -1,5 +1,6 @@
 #include "core/live/source_runner.h"
 
+#include "core/base/guarded.h"
 #include "core/devices/led_dimmer.h"
 #include "core/sources/source.h"
 
@@ -71,7 +72,10 @@ struct SourceRunner::Run {
     std::thread([run, before = std::move(before)]() mutable {
       if (before) before->wait_for_end(std::nullopt);
       before.reset();
-      run->work(run);
+      if (const Status ran = guarded([&] { run->work(run); }); !ran) {
+        run->finish_recorder(run, "the program failed");
+        run->fail(ran.error());
+      }
       const std::lock_guard lock(run->mutex);
       run->is_ended = true;
       run->ended.notify_all();
@@ -89,8 +93,10 @@ struct SourceRunner::Run {
     // On another thread: it joins the capturing thread, which may be inside a slow driver.
     if (running)
       std::thread([self, camera = std::move(running)]() mutable {
-        camera->stop();
-        camera.reset();
+        static_cast<void>(guarded([&] {
+          camera->stop();
+          camera.reset();
+        }));
         const std::lock_guard lock(self->mutex);
         --self->finishers;
         self->ended.notify_all();
@@ -111,13 +117,15 @@ struct SourceRunner::Run {
     options.pace = Pace::kRecorded;
     options.seed = seed;
     options.job = &job;
-    auto source =
-        job.stop_requested() ? Error{en::say("stopped"), "", ""} : opener(inputs, options);
+    auto source = guarded([&]() -> Result<std::unique_ptr<Source>> {
+      if (job.stop_requested()) return Error{en::say("stopped"), "", ""};
+      return opener(inputs, options);
+    });
     if (!source) return fail(source.error());
     begin(**source);
     while (!job.stop_requested()) {
       serve_recording(self, **source);
-      auto frame = (*source)->next();
+      auto frame = guarded([&] { return (*source)->next(); });
       if (!frame) {
         {
           const std::lock_guard lock(mutex);
@@ -216,7 +224,6 @@ struct SourceRunner::Run {
                       const Source& source) {
     auto started = Recorder::start(file, settings, source.frames_per_s(), inputs.front().string());
     const std::lock_guard lock(mutex);
-    is_stop_requested = false;
     if (!started) {
       recording.state = RecordingState::kDone;
       recording.problem = started.error();
@@ -239,7 +246,7 @@ struct SourceRunner::Run {
       ++unfinished;
     }
     std::thread([self, done, why] {
-      const Status finished = done->finish(why);
+      const Status finished = guarded([&] { return done->finish(why); });
       const RecorderCounts counts = done->counts();
       --unfinished;
       const std::lock_guard lock(self->mutex);
@@ -319,6 +326,7 @@ void SourceRunner::start_recording(const std::filesystem::path& file,
   run_->recording.state = RecordingState::kRunning;
   run_->recording.file = file;
   run_->requested_recording = settings;
+  run_->is_stop_requested = false;  // a stop from now on is one of this recording
 }
 
 void SourceRunner::stop_recording() {

@@ -1,6 +1,7 @@
 #include "core/recording/durable_file.h"
 
 #include "core/base/atomic_file.h"
+#include "core/base/guarded.h"
 #include "core/base/result.h"
 #include "core/base/slow_disk.h"
 
@@ -95,7 +96,7 @@ void SteadySync::run() {
   std::unique_lock lock(mutex_);
   while (!ending_.wait_for(lock, every_, [&] { return is_ending_; })) {
     lock.unlock();
-    sync();
+    static_cast<void>(guarded([this] { sync(); }));  // the writer reports failures
     lock.lock();
   }
 }

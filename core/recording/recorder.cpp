@@ -1,5 +1,6 @@
 #include "core/recording/recorder.h"
 
+#include "core/base/guarded.h"
 #include "core/base/result.h"
 #include "core/recording/durable_file.h"
 #include "core/recording/journal.h"
@@ -160,8 +161,10 @@ std::optional<Waiting> Recorder::State::take() {
 void Recorder::State::run() {
   while (const auto waiting = take()) {
     const std::uint64_t recorded_before = counts.recorded;  // written by this thread only
-    Status status = check_disk();
-    if (status) status = record(*waiting);
+    const Status status = guarded([&] {
+      const Status has_space = check_disk();
+      return has_space ? record(*waiting) : has_space;
+    });
     if (!status) {
       const std::lock_guard lock(mutex);
       problem = status.error();

@@ -1,5 +1,7 @@
 #include "core/sources/source.h"
 
+#include "core/base/guarded.h"
+
 #include <condition_variable>
 #include <deque>
 #include <mutex>
@@ -52,7 +54,7 @@ struct NewestSource::State {
 
   void run(const std::stop_token& stop) {
     while (!stop.stop_requested()) {
-      auto frame = source->next();
+      auto frame = guarded([this] { return source->next(); });
       const bool is_untimed = frame && *frame && (*frame)->time_ns == 0 && !source->is_live();
       if (take(std::move(frame))) return;
       if (is_untimed)

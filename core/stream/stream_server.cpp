@@ -1,6 +1,7 @@
 #include "core/stream/stream_server.h"
 
 #include "core/base/atomic_file.h"
+#include "core/base/guarded.h"
 #include "core/base/message.h"
 #include "core/base/result.h"
 #include "core/stream/stream_format.h"
@@ -265,12 +266,19 @@ struct StreamServer::State {
   }
 
   void run() {
-    while (true) {
-      wait();
-      const auto now = Clock::now();
-      const bool is_last = deliver(now);
-      drop_gone_clients(now);
-      if (is_last && clients.empty()) return;
+    bool is_over = false;
+    while (!is_over) {
+      const Status ran = guarded([&] {
+        wait();
+        const auto now = Clock::now();
+        const bool is_last = deliver(now);
+        drop_gone_clients(now);
+        is_over = is_last && clients.empty();
+      });
+      if (ran) continue;
+      clients.clear();  // they connect again
+      const std::lock_guard lock(mutex);
+      is_over = is_ending;
     }
   }
 

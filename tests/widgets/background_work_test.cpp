@@ -1,6 +1,8 @@
 // Work beside the window: what takes the place of what, and what is told of it.
 #include "widgets/background_work.h"
 
+#include "widgets/controls/devices.h"
+
 #include <QSignalSpy>
 #include <QTest>
 #include <atomic>
@@ -146,6 +148,46 @@ TEST_F(WorkBesideTheWindow, WhatReturnsAfterItsWindowHasGoneIsNotCalled) {
   QTest::qWait(150);
   EXPECT_EQ(desk_.begun(), Names({"gone"}));
   EXPECT_EQ(desk_.taken(), Names());
+}
+
+template <class Thrown>
+BackgroundWork::Work throws(Thrown thrown) {
+  return [thrown](const Job&) -> std::function<void()> { throw thrown; };
+}
+
+TEST_F(WorkBesideTheWindow, WhatIsThrownIsReportedAndTheNextWorkRuns) {
+  QStringList reported;
+  QObject::connect(
+      &UnexpectedErrors::instance(), &UnexpectedErrors::reported, &work_,
+      [&](const Error& error) { reported << QString::fromStdString(error.sentence()); });
+  for (const auto& work :
+       {throws(std::bad_alloc()), throws(cv::Exception(1, "size", "", "", 0)), throws(7)}) {
+    work_.start(work);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !work_.is_running(); }));
+  }
+  ASSERT_TRUE(QTest::qWaitFor([&] { return reported.size() == 3; }));
+  EXPECT_TRUE(reported[0].contains("not enough memory"));
+  EXPECT_TRUE(reported[1].contains("size"));
+  EXPECT_TRUE(reported[2].contains("unexpected"));
+  EXPECT_EQ(finished_.count(), 3);
+  work_.start(desk_.piece("next"));
+  ASSERT_NO_FATAL_FAILURE(let_all_end());
+  EXPECT_EQ(desk_.taken(), Names({"next"}));
+}
+
+TEST(CameraFinder, GoesOnWhereListingThrows) {
+  QStringList reported;
+  std::atomic<int> calls{0};
+  CameraFinder finder([&]() -> std::vector<FoundCamera> {
+    ++calls;
+    throw 7;
+  });
+  QObject::connect(
+      &UnexpectedErrors::instance(), &UnexpectedErrors::reported, &finder,
+      [&](const Error& error) { reported << QString::fromStdString(error.sentence()); });
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !reported.isEmpty(); }));
+  EXPECT_TRUE(reported[0].contains("unexpected"));
+  EXPECT_GE(calls, 1);
 }
 
 }  // namespace

@@ -288,14 +288,17 @@ std::vector<Round> CalibrationRun::rounds() const {
 void CalibrationRun::restore(const Files& files, const Outcome& made) {
   take(made);
   has_report_ = files.at(kReportHtml).has_value();
-  collection_.disk()->add([folder = collection_.folder(), files, finger = made.finger]() -> Status {
-    if (const Status written = write_written(folder, files); !written || !finger) return written;
-    const auto changed = FingerStore::of(folder)->update([&](Finger& now) {
-      take_calibration(finger->finger, now);
-      return Status();
-    });
-    return changed ? Status() : changed.error();
-  });
+  collection_.disk()->add(collection_.folder(),
+                          [folder = collection_.folder(), files, finger = made.finger]() -> Status {
+                            if (const Status written = write_written(folder, files);
+                                !written || !finger)
+                              return written;
+                            const auto changed = FingerStore::of(folder)->update([&](Finger& now) {
+                              take_calibration(finger->finger, now);
+                              return Status();
+                            });
+                            return changed ? Status() : changed.error();
+                          });
   if (loading_.is_running()) reload();  // its result would be of the former files
   Q_EMIT changed();
 }

@@ -213,7 +213,7 @@ void CheckPage::check() {
 }
 
 void CheckPage::write_history(const std::optional<std::string>& content) {
-  collection_.disk()->add([file = folder_ / kCheckFile, content]() -> Status {
+  collection_.disk()->add(folder_ / kCheckFile, [file = folder_ / kCheckFile, content]() -> Status {
     if (content) return write_file_atomically(file, *content);
     std::error_code failed;
     fs::remove(file, failed);

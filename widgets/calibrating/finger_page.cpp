@@ -157,7 +157,7 @@ void FingerPage::change_sizes() {
 }
 
 void FingerPage::write_sizes(const std::filesystem::path& folder, const Sizes& sizes) {
-  disk_.add([folder, sizes]() -> Status {
+  disk_.add(folder, [folder, sizes]() -> Status {
     const auto changed = FingerStore::of(folder)->update([&](Finger& finger) -> Status {
       finger.face.width_mm = sizes.first;
       finger.face.layer_mm = sizes.second;

@@ -674,10 +674,11 @@ void LensPage::add_board(const BoardAnalysis& detection) {
          QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd_HHmmss")).toStdString());
     images_->setText(QString::fromStdString(boards_folder_.string()));
   }
-  disk_->add([folder = boards_folder_, frame = collector_->frames().back()]() -> Status {
-    if (const Status made = make_folder(folder); !made) return made;
-    return write_image(folder / (frame->name + ".png"), frame->grey,
-                       frame->controls ? *frame->controls : std::string());
+  const FramePtr& frame = collector_->frames().back();
+  const std::filesystem::path file = boards_folder_ / (frame->name + ".png");
+  disk_->add(file, [file, frame]() -> Status {
+    if (const Status made = make_folder(file.parent_path()); !made) return made;
+    return write_image(file, frame->grey, frame->controls ? *frame->controls : std::string());
   });
   live_->freeze(false);
   live_->flash(tr("Board %1").arg(collector_->views().size()));
@@ -697,7 +698,8 @@ void LensPage::remove_pending_view() {
   if (name.empty() || !collector_) return;
   collector_->forget(name);
   cells_ = collector_->cells();
-  disk_->add([file = boards_folder_ / (name + ".png")]() -> Status {
+  const std::filesystem::path file = boards_folder_ / (name + ".png");
+  disk_->add(file, [file]() -> Status {
     std::error_code failed;
     std::filesystem::remove(file, failed);
     return {};

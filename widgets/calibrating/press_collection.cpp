@@ -3,6 +3,7 @@
 #include "calibration/finger/calibrate_presses.h"
 #include "calibration/finger/calibration_inputs.h"
 #include "core/base/atomic_file.h"
+#include "core/base/guarded.h"
 #include "core/image/image_file.h"
 #include "core/open/open_source.h"
 #include "widgets/language.h"
@@ -248,7 +249,7 @@ void PressCollection::set_press_set(const PressSet& press_set) {
     waiting_->press_set = press_set_;
   }
   if (!is_waiting)
-    disk_->add([waiting = waiting_, folder = folder_] {
+    disk_->add(folder_, [waiting = waiting_, folder = folder_] {
       std::optional<PressSet> latest;
       {
         const std::lock_guard lock(waiting->mutex);
@@ -286,8 +287,8 @@ void PressCollection::remove(const std::string& name) {
 void PressCollection::insert(const std::vector<FramePtr>& frames) {
   for (const FramePtr& frame : frames) {
     presses_.push_back({frame->name, frame, {}, false});
-    disk_->add([folder = folder_, frame, waiting = waiting_] {
-      const Status written = write_press(folder, *frame);
+    disk_->add(file_of(folder_, frame->name), [folder = folder_, frame, waiting = waiting_] {
+      const Status written = guarded([&] { return write_press(folder, *frame); });
       const std::lock_guard lock(waiting->mutex);
       if (written)
         waiting->unsaved.erase(frame->name);
@@ -303,7 +304,8 @@ void PressCollection::insert(const std::vector<FramePtr>& frames) {
 void PressCollection::erase(const std::vector<FramePtr>& frames) {
   for (const FramePtr& frame : frames) {
     std::erase_if(presses_, [&](const CollectedPress& press) { return press.name == frame->name; });
-    disk_->add([file = file_of(folder_, frame->name)]() -> Status {
+    const fs::path file = file_of(folder_, frame->name);
+    disk_->add(file, [file]() -> Status {
       std::error_code failed;
       fs::remove(file, failed);
       if (!failed) return {};

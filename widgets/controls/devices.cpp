@@ -1,5 +1,6 @@
 #include "widgets/controls/devices.h"
 
+#include "core/base/guarded.h"
 #include "core/devices/hot_plug.h"
 #include "widgets/controls/control_panel.h"
 #include "widgets/language.h"
@@ -45,7 +46,11 @@ struct CameraFinder::Shared {
     const auto plug = HotPlug::watch();
     std::vector<FoundCamera> reported;
     for (bool is_first = true;; is_first = false) {
-      auto found = lister();
+      std::vector<FoundCamera> found;
+      if (const Status listed = guarded([&] { found = lister(); }); !listed) {
+        UnexpectedErrors::instance().report(listed.error());
+        found = reported;  // asked again after the next interval
+      }
       {
         const std::lock_guard lock(mutex);
         if (finder == nullptr) return;

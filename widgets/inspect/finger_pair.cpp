@@ -154,7 +154,7 @@ std::optional<Error> FingerPair::problem() const {
 
 void FingerPair::set_pose(const fs::path& folder,
                           const std::optional<RigidTransform>& gripper_from_camera) {
-  disk_->add([folder, gripper_from_camera]() -> Status {
+  disk_->add(folder, [folder, gripper_from_camera]() -> Status {
     const auto changed = FingerStore::of(folder)->update([&](Finger& finger) {
       finger.gripper_from_camera = gripper_from_camera;
       return Status();

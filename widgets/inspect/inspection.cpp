@@ -1,5 +1,6 @@
 #include "widgets/inspect/inspection.h"
 
+#include "core/base/guarded.h"
 #include "core/sensing/surface_measurement.h"
 
 #include <QMetaObject>
@@ -88,9 +89,14 @@ Inspection::Inspection(QObject* parent) : QObject(parent), shared_(std::make_sha
       shared->is_working = is_requested;
       lock.unlock();
       std::optional<InspectAnswer> answer;
-      const bool goes_on = is_requested || inspector.scan_next(*job);
-      if (is_requested) answer = inspector(request, *job);
-      Inspector::SummaryUpdate update = inspector.update();
+      bool goes_on = is_requested;
+      Inspector::SummaryUpdate update;
+      const Status inspected = guarded([&] {
+        if (!is_requested) goes_on = inspector.scan_next(*job);
+        if (is_requested) answer = inspector(request, *job);
+        update = inspector.update();
+      });
+      if (!inspected && is_requested) answer = InspectAnswer{{}, {}, inspected.error()};
       lock.lock();
       shared->is_working = false;
       if (is_requested) shared->last_request_at = Clock::now();

@@ -99,6 +99,26 @@ TEST_F(FollowedFingerTest, GoesOnWhereItCannotBeMeasuredBy) {
   EXPECT_NEAR(deepest_mm(), 1.6, 0.1);
 }
 
+TEST_F(FollowedFingerTest, GoesOnWhereLoadingThrows) {
+  std::atomic<bool> is_throwing{false};
+  auto watched = WatchedFinger::open(
+      folder_.path(),
+      [&](const FingerSnapshot& finger, const Job& job) -> Result<Pipeline> {
+        if (is_throwing) throw std::bad_alloc();
+        return make_(finger, job);
+      },
+      Job(), 5ms);
+  ASSERT_TRUE(watched.ok());
+  is_throwing = true;
+  write_finger(1.0);
+  std::optional<Error> problem;
+  ASSERT_TRUE(wait_until([&] { return (problem = (*watched)->take_problem()).has_value(); }));
+  EXPECT_THAT(problem->sentence(), HasSubstr("not enough memory"));
+  is_throwing = false;
+  write_finger(2.0);
+  ASSERT_TRUE(wait_until([&] { return (*watched)->take_update(); }));
+}
+
 TEST_F(FollowedFingerTest, EndsWhileItLoads) {
   std::atomic<bool> is_loading{false};
   auto slow = WatchedFinger::open(

@@ -196,6 +196,31 @@ TEST(HidButton, CallsOnceAPressAndComesBackAfterPluggingIn) {
   EXPECT_TRUE(comes_true([&] { return presses == 3; }));
 }
 
+TEST(HidButton, GoesOnWhereOpeningOrAPressThrows) {
+  FakeHid pedal;
+  std::atomic<int> openings{0}, presses{0};
+  const HidButton button(
+      [&]() -> Result<std::unique_ptr<HidPort>> {
+        if (++openings == 1) throw std::bad_alloc();
+        return pedal.open();
+      },
+      *ButtonPattern::parse("2 1:10=10"),
+      [&] {
+        if (++presses == 1) throw 7;
+      });
+  EXPECT_TRUE(comes_true([&] { return openings == 1 && !button.status().ok(); }));
+  EXPECT_TRUE(comes_true([&] { return button.status().ok(); })) << "opened again";
+  const auto press = [&] {
+    pedal.say({1, 0x10});
+    pedal.say({1, 0x00});
+  };
+  press();
+  EXPECT_TRUE(comes_true([&] { return presses == 1 && !button.status().ok(); }));
+  EXPECT_TRUE(comes_true([&] { return button.status().ok(); }));
+  press();
+  EXPECT_TRUE(comes_true([&] { return presses == 2; }));
+}
+
 TEST(LedDimmer, AnMcp2221aKeepsItsOtherPinsAndTakesItsThirtyTwoSteps) {
   FakeHid chip;
   Report settings(64, 0);

@@ -108,6 +108,70 @@ TEST(SourceRunner, TellsAFaultWhileNoFrameComes) {
   EXPECT_EQ(runner.status().delivered, 5U);
 }
 
+/// Throws `thrown` from every third call, else gives frames.
+template <class Thrown>
+class ThrowingSource : public MadeSource {
+ public:
+  explicit ThrowingSource(Thrown thrown) : MadeSource(1'000'000, true), thrown_(thrown) {}
+  Result<FramePtr> next() override {
+    if (++calls_ % 3 == 0) throw thrown_;
+    return MadeSource::next();
+  }
+
+ private:
+  Thrown thrown_;
+  int calls_ = 0;
+};
+
+template <class Thrown>
+void expect_to_survive(Thrown thrown, const std::string& sentence) {
+  FrameHub hub;
+  SourceRunner source_throws(
+      hub, [&](const auto&, const SourceOptions&) -> Result<std::unique_ptr<Source>> {
+        return std::unique_ptr<Source>(std::make_unique<ThrowingSource<Thrown>>(thrown));
+      });
+  source_throws.open({"made"});
+  EXPECT_TRUE(comes_true([&] {
+    const auto problem = source_throws.status().problem;
+    return problem && problem->sentence() == sentence;
+  })) << sentence;
+  EXPECT_TRUE(comes_true([&] { return source_throws.status().delivered > 10; })) << "it goes on";
+
+  SourceRunner opener_throws(
+      hub,
+      [&](const auto&, const SourceOptions&) -> Result<std::unique_ptr<Source>> { throw thrown; });
+  opener_throws.open({"made"});
+  ASSERT_TRUE(comes_true([&] { return opener_throws.status().state == SourceState::kFailed; }));
+  EXPECT_EQ(opener_throws.status().problem->sentence(), sentence);
+}
+
+TEST(SourceRunner, WhatASourceThrowsIsAProblemOfTheSource) {
+  expect_to_survive(std::bad_alloc(), "there is not enough memory. Try: close other programs.");
+  expect_to_survive(cv::Exception(cv::Error::StsNoMem, "", "", "", 0),
+                    "there is not enough memory. Try: close other programs.");
+  expect_to_survive(7, "unexpected: exception. Try: reporting this as a defect.");
+}
+
+TEST(SourceRunner, AStopRightAfterAStartIsNotLost) {
+  const test::TemporaryFolder folder;
+  FrameHub hub;
+  SourceRunner runner(hub, gives(1'000'000, true));
+  runner.open({"made"});
+  ASSERT_TRUE(comes_true([&] { return runner.status().delivered > 2; }));
+  constexpr int kOrders = 1000;
+  for (int order = 0; order < kOrders; ++order) {
+    const auto file = folder / ("r" + std::to_string(order) + ".mkv");
+    runner.start_recording(file, {});
+    std::this_thread::sleep_for(std::chrono::microseconds(10 * order));
+    runner.stop_recording();
+    ASSERT_TRUE(comes_true([&] { return runner.recording().state == RecordingState::kDone; }))
+        << "stopped after " << 10 * order << " us";
+    ASSERT_EQ(runner.recording().file, file);
+    std::error_code ignored;
+    std::filesystem::remove(file, ignored);
+  }
+}
+
 TEST(SourceRunner, RecordsWhatComesUntilItIsStopped) {
   const test::TemporaryFolder folder;
   FrameHub hub;
