@@ -17,6 +17,7 @@
 #include "core/sensing/result_json.h"
 #include "core/sources/source.h"
 
+#include <cassert>
 #include <memory>
 #include <mutex>
 #include <optional>

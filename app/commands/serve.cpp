@@ -19,6 +19,7 @@
 #include "core/stream/stream_format.h"
 #include "core/stream/stream_server.h"
 
+#include <cassert>
 #include <string>
 
 #include <fmt/format.h>

@@ -7,6 +7,7 @@
 #include "core/base/settings.h"
 #include "core/base/typed_number.h"
 
+#include <cassert>
 #include <cstdint>
 #include <limits>
 #include <map>

@@ -6,6 +6,7 @@
 #include "core/base/yaml.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace alltact {
 namespace {

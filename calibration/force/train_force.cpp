@@ -11,6 +11,7 @@
 #include "core/sensing/force/force_meter.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numeric>

@@ -1,7 +1,11 @@
 #include "core/base/result.h"
 
 #include <cerrno>
+#include <cstdio>
+#include <cstdlib>
 #include <cstring>
+
+#include <fmt/format.h>
 
 namespace alltact {
 namespace {
@@ -43,6 +47,14 @@ FailureWords words_for(int error_number) {
 }
 
 }  // namespace
+
+void end_at_wrong_access(const Error* held) {
+  if (held != nullptr)
+    fmt::print(stderr, "A result was used that is an error: {}\n", held->sentence());
+  else
+    fmt::print(stderr, "A result was asked for its error, and has none.\n");
+  std::abort();
+}
 
 Error system_error(const Message& doing, const std::filesystem::path& path, int error_number) {
   return errno_error(doing, path, words_for(error_number), error_number);

@@ -3,7 +3,6 @@
 
 #include "core/base/message.h"
 
-#include <cassert>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -37,7 +36,11 @@ struct Error {
   [[nodiscard]] std::string sentence() const { return message().english() + "."; }
 };
 
-/// Either a T or an Error. Access to the absent one is a programming error and asserts.
+/// Ends the program with a message: a Result was asked for what it does not hold, which is a
+/// mistake of the program. `held`: its error; null: it holds a value.
+[[noreturn]] void end_at_wrong_access(const Error* held);
+
+/// Either a T or an Error. Access to the absent one ends the program, in every build.
 template <class T>
 class [[nodiscard]] Result {
  public:
@@ -47,10 +50,16 @@ class [[nodiscard]] Result {
   [[nodiscard]] bool ok() const { return content_.index() == 0; }
   explicit operator bool() const { return ok(); }
 
-  [[nodiscard]] T& value() & { return assert(ok()), *std::get_if<0>(&content_); }
-  [[nodiscard]] const T& value() const& { return assert(ok()), *std::get_if<0>(&content_); }
-  [[nodiscard]] T&& value() && { return assert(ok()), std::move(*std::get_if<0>(&content_)); }
-  [[nodiscard]] const Error& error() const { return assert(!ok()), *std::get_if<1>(&content_); }
+  [[nodiscard]] T& value() & { return const_cast<T&>(std::as_const(*this).value()); }
+  [[nodiscard]] const T& value() const& {
+    if (!ok()) end_at_wrong_access(std::get_if<1>(&content_));
+    return *std::get_if<0>(&content_);
+  }
+  [[nodiscard]] T&& value() && { return std::move(value()); }
+  [[nodiscard]] const Error& error() const {
+    if (ok()) end_at_wrong_access(nullptr);
+    return *std::get_if<1>(&content_);
+  }
 
   T& operator*() & { return value(); }
   const T& operator*() const& { return value(); }
@@ -70,7 +79,10 @@ class [[nodiscard]] Result<void> {
 
   [[nodiscard]] bool ok() const { return !error_; }
   explicit operator bool() const { return ok(); }
-  [[nodiscard]] const Error& error() const { return assert(!ok()), *error_; }
+  [[nodiscard]] const Error& error() const {
+    if (ok()) end_at_wrong_access(nullptr);
+    return *error_;
+  }
 
  private:
   std::optional<Error> error_;

@@ -3,6 +3,7 @@
 #include "core/base/guarded.h"
 #include "core/sensing/result_json.h"
 
+#include <cassert>
 #include <condition_variable>
 #include <deque>
 #include <map>

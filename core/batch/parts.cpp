@@ -3,6 +3,7 @@
 #include "core/base/atomic_file.h"
 #include "core/recording/depth_video.h"
 
+#include <cassert>
 #include <charconv>
 #include <map>
 #include <set>

@@ -3,6 +3,7 @@
 #include "core/camera/distortion.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include <opencv2/imgproc.hpp>
 

@@ -4,6 +4,8 @@
 #include "core/recording/libav.h"
 #include "core/recording/video_file.h"
 
+#include <cassert>
+
 #include <fcntl.h>
 #include <unistd.h>
 

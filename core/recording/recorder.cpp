@@ -5,6 +5,7 @@
 #include "core/recording/durable_file.h"
 #include "core/recording/journal.h"
 
+#include <cassert>
 #include <cerrno>
 #include <condition_variable>
 #include <deque>

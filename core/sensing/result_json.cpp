@@ -3,6 +3,7 @@
 #include "core/sensing/frame_result.h"
 
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <filesystem>
 

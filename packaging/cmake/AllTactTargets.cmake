@@ -11,6 +11,8 @@ set(CMAKE_AUTOGEN_ORIGIN_DEPENDS OFF)
 if(NOT CMAKE_BUILD_TYPE)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Release, Debug or RelWithDebInfo" FORCE)
 endif()
+# Assertions stay in every build: what is tested is what runs. Those of Eigen, in every kernel, only with sanitizers.
+string(REPLACE "-DNDEBUG" "" CMAKE_CXX_FLAGS_RELEASE "${CMAKE_CXX_FLAGS_RELEASE}")
 set(ALLTACT_SANITIZE "" CACHE STRING "Sanitizers for our own code, e.g. address,undefined or thread")
 
 find_program(ALLTACT_CCACHE ccache)
@@ -49,6 +51,7 @@ target_compile_options(
             -fno-semantic-interposition
             # Files are named as they lie in the sources: the same bytes from any folder, and nobody's folders in a program.
             -ffile-prefix-map=${CMAKE_SOURCE_DIR}/=
+            $<$<CONFIG:Release>:-DEIGEN_NO_DEBUG>
             # Unless the target only calls what was built for speed (property ALLTACT_QUICK_BUILD).
             $<$<CONFIG:Release>:-O$<IF:$<BOOL:$<TARGET_PROPERTY:ALLTACT_QUICK_BUILD>>,1,3>>)
 if(ALLTACT_SANITIZE)
