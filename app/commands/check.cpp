@@ -6,7 +6,7 @@
 #include "calibration/checks/finger_check.h"
 #include "calibration/finger/calibrate_finger.h"
 #include "calibration/finger/calibration_report.h"
-#include "calibration/hard_cases/hard_cases.h"
+#include "tests/hard_cases/hard_cases.h"
 #include "core/base/program.h"
 #include "core/base/utc_time.h"
 

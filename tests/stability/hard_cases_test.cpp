@@ -1,6 +1,6 @@
 // Every calculation that a plain formula gets wrong: the plain one fails, ours stays within its
 // bound. What `alltact check --numerics` shows; and that no row can hold without being answered.
-#include "calibration/hard_cases/hard_cases.h"
+#include "tests/hard_cases/hard_cases.h"
 
 #include <cmath>
 #include <cstdio>

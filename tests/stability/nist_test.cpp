@@ -1,5 +1,5 @@
 // NIST's Statistical Reference Datasets through the solvers that we use, against certified values.
-#include "calibration/hard_cases/exact.h"
+#include "tests/hard_cases/exact.h"
 #include "calibration/joint/ceres_solver.h"
 #include "core/numerics/chebyshev.h"
 #include "core/numerics/linear_algebra.h"

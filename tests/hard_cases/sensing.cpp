@@ -1,4 +1,4 @@
-#include "calibration/hard_cases/hard_cases.h"
+#include "tests/hard_cases/hard_cases.h"
 #include "core/image/grey_range.h"
 #include "core/sensing/contact/contact_regions.h"
 #include "core/sensing/contact/push.h"

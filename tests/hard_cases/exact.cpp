@@ -1,4 +1,4 @@
-#include "calibration/hard_cases/exact.h"
+#include "tests/hard_cases/exact.h"
 
 // The only file with Boost's numbers, which take long to compile.
 #include <boost/multiprecision/cpp_dec_float.hpp>

@@ -1,4 +1,4 @@
-#include "calibration/hard_cases/hard_cases.h"
+#include "tests/hard_cases/hard_cases.h"
 #include "calibration/lens/calibrate_lens.h"
 #include "core/camera/camera.h"
 

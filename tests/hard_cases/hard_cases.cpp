@@ -1,4 +1,4 @@
-#include "calibration/hard_cases/hard_cases.h"
+#include "tests/hard_cases/hard_cases.h"
 
 #include <algorithm>
 #include <cassert>

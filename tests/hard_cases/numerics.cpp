@@ -1,5 +1,5 @@
-#include "calibration/hard_cases/exact.h"
-#include "calibration/hard_cases/hard_cases.h"
+#include "tests/hard_cases/exact.h"
+#include "tests/hard_cases/hard_cases.h"
 #include "calibration/joint/joint_fit.h"
 #include "core/finger/mapping.h"
 #include "core/geometry/ball.h"

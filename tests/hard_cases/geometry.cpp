@@ -1,4 +1,4 @@
-#include "calibration/hard_cases/hard_cases.h"
+#include "tests/hard_cases/hard_cases.h"
 #include "core/geometry/ball.h"
 #include "core/geometry/circle_fit.h"
 #include "core/numerics/chebyshev.h"
