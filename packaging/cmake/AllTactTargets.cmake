@@ -47,6 +47,8 @@ target_compile_options(
             -fpch-preprocess
             # Of sources that are compiled together g++ takes each for a header.
             -Wno-subobject-linkage
+            # g++ 12 sees one where fmt checks for it by an assertion.
+            -Wno-stringop-overflow
             # What is in one library is called as directly as in a static one.
             -fno-semantic-interposition
             # Files are named as they lie in the sources: the same bytes from any folder, and nobody's folders in a program.
