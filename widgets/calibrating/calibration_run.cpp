@@ -1,6 +1,7 @@
 #include "widgets/calibrating/calibration_run.h"
 
 #include "calibration/finger/calibration_report.h"
+#include "calibration/reference/reference_recording.h"
 #include "core/base/atomic_file.h"
 #include "core/base/utc_time.h"
 #include "widgets/calibrating/verdict_page.h"
@@ -30,19 +31,29 @@ std::map<std::string, std::optional<std::string>> read_written(const fs::path& f
   return files;
 }
 
-Status write_written(const fs::path& folder,
-                     const std::map<std::string, std::optional<std::string>>& files) {
-  for (const char* name : kWritten) {
-    const auto& content = files.at(name);
-    if (content) {
-      if (const Status status = write_file_atomically(folder / name, *content); !status)
-        return status;
-    } else {
-      std::error_code absent;
-      fs::remove(folder / name, absent);
+/// Puts `files` in the folder and the calibration of `from` in its finger.yaml, all together or
+/// none. `replaced` receives the files that were there.
+Status put_back(const fs::path& folder,
+                const std::map<std::string, std::optional<std::string>>& files,
+                const FingerPtr& from,
+                std::map<std::string, std::optional<std::string>>& replaced) {
+  replaced = read_written(folder);
+  auto change = FolderChange::begin(folder);
+  if (!change) return change.error();
+  for (const auto& [name, content] : files) {
+    if (!content) {
+      change->remove(name);
+    } else if (const Status written = write_file_atomically(change->staged() / name, *content);
+               !written) {
+      return written;
     }
   }
-  return {};
+  if (!from) return change->commit();
+  const auto changed = FingerStore::of(folder)->update([&](Finger& now) {
+    take_calibration(from->finger, now);
+    return commit_with(now, *change);
+  });
+  return changed ? Status() : changed.error();
 }
 
 }  // namespace
@@ -53,35 +64,38 @@ struct CalibrationRun::SharedRounds {
   std::vector<Round> rounds;
 };
 
-/// Undo step of a calibration: restores the files written before it.
+/// Undo step of a calibration: restores the files written before it. The disk's thread reads and
+/// writes them.
 class CalibrationRun::Undo : public UndoStep {
  public:
   Undo(CalibrationRun& run, Files before, Outcome outcome_before, Outcome outcome_after)
       : UndoStep([] { return tr("calibrate"); }),
         run_(run),
         folder_(run.collection_.folder()),
-        before_(std::move(before)),
+        before_(std::make_shared<Files>(std::move(before))),
+        has_report_before_(before_->at(kReportHtml).has_value()),
         outcome_before_(std::move(outcome_before)),
         outcome_after_(std::move(outcome_after)) {}
 
   void undo() override {
     if (run_.collection_.folder() != folder_) return;
     run_.report_.stop();
-    run_.collection_.disk()->wait();
-    after_ = read_written(folder_);
-    run_.restore(before_, outcome_before_);
+    is_undone_ = true;
+    has_report_after_ = run_.has_report_;
+    run_.restore(before_, has_report_before_, outcome_before_, after_);
   }
   void redo() override {
-    if (after_.empty() || run_.collection_.folder() != folder_)
+    if (!is_undone_ || run_.collection_.folder() != folder_)
       return;  // called when the step is pushed
     run_.report_.stop();
-    run_.restore(after_, outcome_after_);
+    run_.restore(after_, has_report_after_, outcome_after_, before_);
   }
 
  private:
   CalibrationRun& run_;
   fs::path folder_;
-  Files before_, after_;
+  std::shared_ptr<Files> before_, after_ = std::make_shared<Files>();
+  bool is_undone_ = false, has_report_before_ = false, has_report_after_ = false;
   Outcome outcome_before_, outcome_after_;
 };
 
@@ -285,20 +299,15 @@ std::vector<Round> CalibrationRun::rounds() const {
   return rounds_->rounds;
 }
 
-void CalibrationRun::restore(const Files& files, const Outcome& made) {
+void CalibrationRun::restore(std::shared_ptr<Files> files, bool has_report, const Outcome& made,
+                             std::shared_ptr<Files> replaced) {
   take(made);
-  has_report_ = files.at(kReportHtml).has_value();
-  collection_.disk()->add(collection_.folder(),
-                          [folder = collection_.folder(), files, finger = made.finger]() -> Status {
-                            if (const Status written = write_written(folder, files);
-                                !written || !finger)
-                              return written;
-                            const auto changed = FingerStore::of(folder)->update([&](Finger& now) {
-                              take_calibration(finger->finger, now);
-                              return Status();
-                            });
-                            return changed ? Status() : changed.error();
-                          });
+  has_report_ = has_report;
+  const fs::path folder = collection_.folder();
+  collection_.disk()->add(
+      folder,
+      [folder, files = std::move(files), replaced = std::move(replaced),
+       finger = made.finger]() -> Status { return put_back(folder, *files, finger, *replaced); });
   if (loading_.is_running()) reload();  // its result would be of the former files
   Q_EMIT changed();
 }

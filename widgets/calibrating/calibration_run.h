@@ -84,7 +84,9 @@ class CalibrationRun : public QObject {
   void take(const Outcome& made);
   void adopt_recalled(const std::shared_ptr<const FingerCalibration>& recalled);
   void recall_residuals_once();
-  void restore(const Files& files, const Outcome& made);
+  /// Writes `files` on the disk's thread; `replaced` receives those that were there.
+  void restore(std::shared_ptr<Files> files, bool has_report, const Outcome& made,
+               std::shared_ptr<Files> replaced);
 
   PressCollection& collection_;
   QUndoStack& undo_;
