@@ -274,8 +274,8 @@ void RecordPage::start_or_stop() {
 
 void RecordPage::begin_recording() {
   report_.reset();
-  keep_.clear();
-  leave_out_.clear();
+  untouched_frames_.clear();
+  left_out_frames_.clear();
   problem_image_ = {};  // it belonged to the former recording
   installed_.clear();
   deferred_.clear();
@@ -406,8 +406,8 @@ void RecordPage::follow_judge() {
 ReferenceChoices RecordPage::choices() const {
   ReferenceChoices choices;
   choices.rest_pose = rest_pose_;
-  choices.keep = keep_;
-  choices.leave_out = leave_out_;
+  choices.keep = untouched_frames_;
+  choices.leave_out = left_out_frames_;
   choices.skin_was_changed = skin_changed_->isChecked();
   return choices;
 }
@@ -415,7 +415,8 @@ ReferenceChoices RecordPage::choices() const {
 void RecordPage::install_now() {
   const auto folder = session_.status().finger.folder;
   const auto video = recorded_;
-  const auto judged = keep_.empty() && leave_out_.empty() ? judge_.judged() : nullptr;
+  const auto judged =
+      untouched_frames_.empty() && left_out_frames_.empty() ? judge_.judged() : nullptr;
   install_work_.start(
       [this, folder, video, choices = choices(), judged, installer = installer_](const Job& job) {
         auto report = std::make_shared<Result<ReferenceReport>>(
@@ -474,14 +475,15 @@ void RecordPage::list_rejected() {
 }
 
 void RecordPage::choose_frames() {
-  keep_.clear();
-  leave_out_.clear();
+  untouched_frames_.clear();
+  left_out_frames_.clear();
   for (int row = 0; row < rejected_->count(); ++row) {
     const QListWidgetItem& item = *rejected_->item(row);
     const QPoint frames = item.data(Qt::UserRole).toPoint();
     const bool is_stretch = (item.flags() & Qt::ItemIsUserCheckable) != 0;
     if (!is_stretch) continue;
-    (item.checkState() == Qt::Checked ? keep_ : leave_out_).push_back({frames.x(), frames.y()});
+    (item.checkState() == Qt::Checked ? untouched_frames_ : left_out_frames_)
+        .push_back({frames.x(), frames.y()});
   }
   installed_.clear();  // the choice differs from what is installed
   show_status();
@@ -546,8 +548,8 @@ std::vector<Overlay> RecordPage::ghost(const LiveView& view) const {
 void RecordPage::offer(const std::filesystem::path& video, std::optional<RestPose> rest_pose) {
   recorded_ = video;
   rest_pose_ = std::move(rest_pose);
-  keep_.clear();
-  leave_out_.clear();
+  untouched_frames_.clear();
+  left_out_frames_.clear();
   deferred_.clear();
   skin_changed_->setChecked(false);
   judge_take();

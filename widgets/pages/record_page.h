@@ -129,9 +129,10 @@ class RecordPage : public Page {
   std::optional<double> free_gb_;
   std::optional<Result<ReferenceReport>> report_;
   std::filesystem::path recorded_, installed_, deferred_;
-  std::optional<RestPose> rest_pose_;         // of the recording
-  std::vector<FrameRange> keep_, leave_out_;  // the user's choice (ReferenceChoices)
-  QImage problem_image_;                      // findings of a failed installation, as an image
+  std::optional<RestPose> rest_pose_;  // of the recording
+  std::vector<FrameRange> untouched_frames_,
+      left_out_frames_;   // the user's choice (ReferenceChoices)
+  QImage problem_image_;  // findings of a failed installation, as an image
   QElapsedTimer since_space_;
 };
 
