@@ -19,16 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path file_of(const fs::path& folder, const std::string& name) {
-  return folder / kPressFolder / (name + ".png");
-}
-
-Status write_press(const fs::path& folder, const Frame& frame) {
-  if (const Status made = make_folder(folder / kPressFolder); !made) return made;
-  return write_image(file_of(folder, frame.name), frame.grey,
-                     frame.controls ? *frame.controls : std::string());
-}
-
 Result<FramePtr> read_press(const fs::path& file) {
   auto source = open_source({file});
   if (!source) return source.error();
@@ -171,7 +161,7 @@ void PressCollection::analyse_next() {
                                  [](const CollectedPress& press) { return !press.is_analysed; });
   if (next == presses_.end()) return;
   analysing_.start([this, opened = opened_, name = next->name, given = next->frame,
-                    file = file_of(folder_, next->name), analyser = analyser_,
+                    file = stored_press_file(folder_, next->name), analyser = analyser_,
                     radius = sought_radius_mm(press_set_, next->name)](const Job&) {
     FramePtr frame = given;
     PressAnalysis analysis;
@@ -287,7 +277,7 @@ void PressCollection::insert(const std::vector<FramePtr>& frames) {
   for (const FramePtr& frame : frames) {
     presses_.push_back({frame->name, frame, {}, false});
     disk_->add([folder = folder_, frame, waiting = waiting_] {
-      const Status written = write_press(folder, *frame);
+      const Status written = store_press(folder, *frame);
       const std::lock_guard lock(waiting->mutex);
       if (written)
         waiting->unsaved.erase(frame->name);
@@ -303,7 +293,7 @@ void PressCollection::insert(const std::vector<FramePtr>& frames) {
 void PressCollection::erase(const std::vector<FramePtr>& frames) {
   for (const FramePtr& frame : frames) {
     std::erase_if(presses_, [&](const CollectedPress& press) { return press.name == frame->name; });
-    disk_->add([file = file_of(folder_, frame->name)]() -> Status {
+    disk_->add([file = stored_press_file(folder_, frame->name)]() -> Status {
       std::error_code failed;
       fs::remove(file, failed);
       if (!failed) return {};
@@ -355,10 +345,7 @@ void PressCollection::add_next() {
             std::move(*frames), true));
       if (!twice.isEmpty())
         Q_EMIT refused({Meaning::kDoubtful,
-                        tr("Presses with these names exist already: %1.").arg(listed(twice)),
-                        {},
-                        {},
-                        {}});
+                        tr("Presses with these names exist already: %1.").arg(listed(twice))});
     });
   });
 }
@@ -386,18 +373,16 @@ PressAnalysis PressAnalyser::operator()(const FramePtr& frame, double radius_mm)
     return analysis;
   }
   analysis.grey = result->grey;
-  auto measured = std::make_shared<ReferencedPress>();
-  measured->taken = press_of(frame->name, *result);
-  measured->reference = std::move(result->reference);
+  auto measured = std::make_shared<TakenPress>(press_of(frame->name, *result));
   analysis.measured = measured;
-  if (!measured->taken.press) {
+  if (!measured->press) {
     if (result->shape) analysis.shape = std::make_shared<const FaceShape>(*result->shape);
-    analysis.problem = Error{measured->taken.left_out, "", ""};
+    analysis.problem = Error{measured->left_out, "", ""};
     return analysis;
   }
-  analysis.shape = std::shared_ptr<const FaceShape>(measured, &measured->taken.press->shape);
+  analysis.shape = std::shared_ptr<const FaceShape>(measured, &measured->press->shape);
   if (!(radius_mm > 0)) return analysis;
-  Press press = *measured->taken.press;
+  Press press = *measured->press;
   press.ball_radius_mm = radius_mm;
   const auto ball = find_ball(press, pipeline_.finger().face);
   if (ball)
@@ -412,7 +397,7 @@ PressAnalysis PressAnalyser::operator()(const FramePtr& frame, double radius_mm)
 namespace {
 
 // Consecutive steps with the same id are undone together.
-enum MergeId { kRadius = 5'000'000, kOperator, kGrips = 5'100'000 };
+constexpr int kRadius = 5'000'000, kOperator = 5'000'001, kGrips = 5'100'000;
 
 }  // namespace
 
