@@ -613,6 +613,30 @@
         <source>Along: over the face from its base. Across: from its centre line towards +y. Direction: displacement of the finger in the camera&apos;s frame; its standard deviation applies within the finger&apos;s cross-section.</source>
         <translation>Längs: über die Fläche von ihrem Fuß an. Quer: von ihrer Mittellinie in Richtung +y. Richtung: Verschiebung des Fingers im Koordinatensystem der Kamera; ihre Standardabweichung gilt im Querschnitt des Fingers.</translation>
     </message>
+    <message>
+        <source>The finger is being loaded.</source>
+        <translation>Der Finger wird geladen.</translation>
+    </message>
+    <message>
+        <source>Open a finger to see its forces.</source>
+        <translation>Öffnen Sie einen Finger, um seine Kräfte zu sehen.</translation>
+    </message>
+    <message>
+        <source>Forces need a finger with markers.</source>
+        <translation>Kräfte erfordern einen Finger mit Marken.</translation>
+    </message>
+    <message>
+        <source>Forces need a reference recording: record one.</source>
+        <translation>Kräfte erfordern eine Referenzaufnahme: Nehmen Sie eine auf.</translation>
+    </message>
+    <message>
+        <source>No force is estimated for this image.</source>
+        <translation>Für dieses Bild wird keine Kraft geschätzt.</translation>
+    </message>
+    <message>
+        <source>This finger has no force model yet. Train one with a table of its markers and a gauge&apos;s forces:</source>
+        <translation>Dieser Finger hat noch kein Kraftmodell. Trainieren Sie eines mit einer Tabelle seiner Marken und der Kräfte eines Kraftmessers:</translation>
+    </message>
 </context>
 <context>
     <name>alltact::ControlPanel</name>
@@ -1402,6 +1426,14 @@
         <source>Zero: the reading of %1.</source>
         <translation>Nullpunkt: der Messwert von %1.</translation>
     </message>
+    <message>
+        <source>re-zero the force</source>
+        <translation>Kraft neu nullen</translation>
+    </message>
+    <message>
+        <source>show the force as measured</source>
+        <translation>Kraft wie gemessen zeigen</translation>
+    </message>
 </context>
 <context>
     <name>alltact::ForcePlot</name>
@@ -1412,60 +1444,6 @@
     <message>
         <source>Force (N)</source>
         <translation>Kraft (N)</translation>
-    </message>
-</context>
-<context>
-    <name>alltact::ForceWords</name>
-    <message>
-        <source>The finger is being loaded.</source>
-        <translation>Der Finger wird geladen.</translation>
-    </message>
-    <message>
-        <source>Open a finger to see its forces.</source>
-        <translation>Öffnen Sie einen Finger, um seine Kräfte zu sehen.</translation>
-    </message>
-    <message>
-        <source>Forces need a finger with markers.</source>
-        <translation>Kräfte erfordern einen Finger mit Marken.</translation>
-    </message>
-    <message>
-        <source>Forces need a reference recording: record one.</source>
-        <translation>Kräfte erfordern eine Referenzaufnahme: Nehmen Sie eine auf.</translation>
-    </message>
-    <message>
-        <source>No force is estimated for this image.</source>
-        <translation>Für dieses Bild wird keine Kraft geschätzt.</translation>
-    </message>
-    <message>
-        <source>This finger has no force model yet. Train one with a table of its markers and a gauge&apos;s forces:</source>
-        <translation>Dieser Finger hat noch kein Kraftmodell. Trainieren Sie eines mit einer Tabelle seiner Marken und der Kräfte eines Kraftmessers:</translation>
-    </message>
-</context>
-<context>
-    <name>alltact::FrameWords</name>
-    <message>
-        <source>no depth: too dark</source>
-        <translation>keine Tiefe: zu dunkel</translation>
-    </message>
-    <message>
-        <source>no depth: too bright</source>
-        <translation>keine Tiefe: zu hell</translation>
-    </message>
-    <message>
-        <source>no depth: off the face</source>
-        <translation>keine Tiefe: außerhalb der Fläche</translation>
-    </message>
-    <message>
-        <source>u %1 px, v %2 px, grey %3</source>
-        <translation>u %1 px, v %2 px, Grauwert %3</translation>
-    </message>
-    <message>
-        <source>depth %1 mm</source>
-        <translation>Tiefe %1 mm</translation>
-    </message>
-    <message>
-        <source>Depth, mm</source>
-        <translation>Tiefe, mm</translation>
     </message>
 </context>
 <context>
@@ -1757,6 +1735,22 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>The frame is being measured again for the comparison.</source>
         <translation>Das Bild wird zum Vergleich noch einmal gemessen.</translation>
     </message>
+    <message>
+        <source>at the layer&apos;s limit</source>
+        <translation>an der Grenze der Schicht</translation>
+    </message>
+    <message>
+        <source>beyond the calibrated range</source>
+        <translation>jenseits des Kalibrierten</translation>
+    </message>
+    <message>
+        <source>doubtful light</source>
+        <translation>zweifelhaftes Licht</translation>
+    </message>
+    <message>
+        <source>steep: position matters</source>
+        <translation>steil: Position entscheidend</translation>
+    </message>
 </context>
 <context>
     <name>alltact::InspectPage</name>
@@ -1905,18 +1899,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>&amp;Prüfen</translation>
     </message>
     <message>
-        <source>Contact</source>
-        <translation>Kontakt</translation>
-    </message>
-    <message>
-        <source>Contacts on the finger</source>
-        <translation>Was den Finger berührt</translation>
-    </message>
-    <message>
-        <source>No image yet.</source>
-        <translation>Noch kein Bild.</translation>
-    </message>
-    <message>
         <source>Vide&amp;o…</source>
         <translation>Vide&amp;o…</translation>
     </message>
@@ -1957,7 +1939,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
 </context>
 <context>
-    <name>alltact::JoinedWords</name>
+    <name>alltact::LocalText</name>
     <message>
         <source>, </source>
         <comment>between things of one kind</comment>
@@ -1977,6 +1959,24 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>: </source>
         <comment>after what names the next</comment>
         <translation>: </translation>
+    </message>
+    <message>
+        <source>under %1</source>
+        <comment>of a standard deviation</comment>
+        <translation>unter %1</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <comment>of a standard deviation</comment>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>mindestens %1</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>höchstens %1</translation>
     </message>
 </context>
 <context>
@@ -2048,46 +2048,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>Choose the device that dims the finger&apos;s lamp, if there is one.</source>
         <translation>Wählen Sie das Gerät, das die Lampe des Fingers dimmt, falls es eines gibt.</translation>
-    </message>
-</context>
-<context>
-    <name>alltact::NumberText</name>
-    <message>
-        <source>under %1</source>
-        <comment>of a standard deviation</comment>
-        <translation>unter %1</translation>
-    </message>
-    <message>
-        <source>unknown</source>
-        <comment>of a standard deviation</comment>
-        <translation>unbekannt</translation>
-    </message>
-    <message>
-        <source>at least %1</source>
-        <translation>mindestens %1</translation>
-    </message>
-    <message>
-        <source>at most %1</source>
-        <translation>höchstens %1</translation>
-    </message>
-</context>
-<context>
-    <name>alltact::LimitWords</name>
-    <message>
-        <source>at the layer&apos;s limit</source>
-        <translation>an der Grenze der Schicht</translation>
-    </message>
-    <message>
-        <source>beyond the calibrated range</source>
-        <translation>jenseits des Kalibrierten</translation>
-    </message>
-    <message>
-        <source>doubtful light</source>
-        <translation>zweifelhaftes Licht</translation>
-    </message>
-    <message>
-        <source>steep: position matters</source>
-        <translation>steil: Position entscheidend</translation>
     </message>
 </context>
 <context>
@@ -2500,6 +2460,21 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
 </context>
 <context>
+    <name>alltact::ContactBox</name>
+    <message>
+        <source>No image yet.</source>
+        <translation>Noch kein Bild.</translation>
+    </message>
+    <message>
+        <source>Contact</source>
+        <translation>Kontakt</translation>
+    </message>
+    <message>
+        <source>Contacts on the finger</source>
+        <translation>Kontakte am Finger</translation>
+    </message>
+</context>
+<context>
     <name>alltact::LivePage</name>
     <message>
         <source>show %1</source>
@@ -2560,10 +2535,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>Camera</source>
         <translation>Kamera</translation>
-    </message>
-    <message>
-        <source>Contact</source>
-        <translation>Kontakt</translation>
     </message>
     <message>
         <source>Time per frame</source>
@@ -2628,10 +2599,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>&amp;Live</source>
         <translation>&amp;Live</translation>
-    </message>
-    <message>
-        <source>Contacts on the finger</source>
-        <translation>Kontakte am Finger</translation>
     </message>
     <message>
         <source>Force</source>
@@ -3179,6 +3146,42 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>Frozen</source>
         <translation>Angehalten</translation>
     </message>
+    <message>
+        <source>As shown (*.png)</source>
+        <translation>Wie angezeigt (*.png)</translation>
+    </message>
+    <message>
+        <source>Only the camera&apos;s image (*.png)</source>
+        <translation>Nur das Bild der Kamera (*.png)</translation>
+    </message>
+    <message>
+        <source>%1 could not be written. Choose another folder, or free some disk space.</source>
+        <translation>%1 konnte nicht geschrieben werden. Einen anderen Ordner wählen oder Speicherplatz freigeben.</translation>
+    </message>
+    <message>
+        <source>no depth: too dark</source>
+        <translation>keine Tiefe: zu dunkel</translation>
+    </message>
+    <message>
+        <source>no depth: too bright</source>
+        <translation>keine Tiefe: zu hell</translation>
+    </message>
+    <message>
+        <source>no depth: off the face</source>
+        <translation>keine Tiefe: außerhalb der Fläche</translation>
+    </message>
+    <message>
+        <source>u %1 px, v %2 px, grey %3</source>
+        <translation>u %1 px, v %2 px, Grauwert %3</translation>
+    </message>
+    <message>
+        <source>depth %1 mm</source>
+        <translation>Tiefe %1 mm</translation>
+    </message>
+    <message>
+        <source>Depth, mm</source>
+        <translation>Tiefe, mm</translation>
+    </message>
 </context>
 <context>
     <name>alltact::PageHint</name>
@@ -3296,6 +3299,82 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>Nothing to measure yet.</source>
         <translation>Noch nichts zu messen.</translation>
+    </message>
+    <message>
+        <source>no depth: too dark</source>
+        <translation>keine Tiefe: zu dunkel</translation>
+    </message>
+    <message>
+        <source>no depth: too bright</source>
+        <translation>keine Tiefe: zu hell</translation>
+    </message>
+    <message>
+        <source>no depth: near the face&apos;s edge</source>
+        <translation>keine Tiefe: nahe am Rand der Fläche</translation>
+    </message>
+    <message>
+        <source>depth %1 mm</source>
+        <translation>Tiefe %1 mm</translation>
+    </message>
+    <message>
+        <source>at the layer&apos;s limit</source>
+        <translation>an der Grenze der Schicht</translation>
+    </message>
+    <message>
+        <source>a bulge at the layer&apos;s limit</source>
+        <translation>Wölbung an der Grenze der Schicht</translation>
+    </message>
+    <message>
+        <source>beyond the calibrated range</source>
+        <translation>außerhalb des Kalibrierbereichs</translation>
+    </message>
+    <message>
+        <source>steep: one pixel further changes it by more</source>
+        <translation>steil: ein Pixel weiter ändert sie stärker</translation>
+    </message>
+    <message>
+        <source>doubtful light</source>
+        <translation>zweifelhaftes Licht</translation>
+    </message>
+    <message>
+        <source> (%1)</source>
+        <translation> (%1)</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1&lt;/b&gt;: off the face</source>
+        <translation>&lt;b&gt;%1&lt;/b&gt;: außerhalb der Fläche</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1&lt;/b&gt;: x %2, y %3, z %4 mm</source>
+        <translation>&lt;b&gt;%1&lt;/b&gt;: x %2, y %3, z %4 mm</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;A to B&lt;/b&gt;: %1 mm straight, %2 mm along the face</source>
+        <translation>&lt;b&gt;A nach B&lt;/b&gt;: %1 mm gerade, %2 mm entlang der Fläche</translation>
+    </message>
+    <message>
+        <source>offset x %1, y %2, z %3 mm</source>
+        <translation>Versatz x %1, y %2, z %3 mm</translation>
+    </message>
+    <message>
+        <source>Deepest %1 mm; contact at x %2, y %3, z %4 mm.</source>
+        <translation>Tiefster Punkt %1 mm; Kontakt bei x %2, y %3, z %4 mm.</translation>
+    </message>
+    <message>
+        <source>Nothing presses on the face.</source>
+        <translation>Nichts drückt auf die Fläche.</translation>
+    </message>
+    <message>
+        <source>Click on the face for point A, with the right button for point B.</source>
+        <translation>Klicken Sie auf die Fläche für Punkt A, mit der rechten Taste für Punkt B.</translation>
+    </message>
+    <message>
+        <source>not calibrated: no depth</source>
+        <translation>nicht kalibriert: keine Tiefe</translation>
+    </message>
+    <message>
+        <source>%1 mm along, %2 mm across; x %3, y %4, z %5 mm</source>
+        <translation>%1 mm längs, %2 mm quer; x %3, y %4, z %5 mm</translation>
     </message>
 </context>
 <context>
@@ -3967,85 +4046,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>%1 (Ctrl+%2)</source>
         <translation>%1 (Strg+%2)</translation>
-    </message>
-</context>
-<context>
-    <name>alltact::ReadingWords</name>
-    <message>
-        <source>no depth: too dark</source>
-        <translation>keine Tiefe: zu dunkel</translation>
-    </message>
-    <message>
-        <source>no depth: too bright</source>
-        <translation>keine Tiefe: zu hell</translation>
-    </message>
-    <message>
-        <source>no depth: near the face&apos;s edge</source>
-        <translation>keine Tiefe: nahe am Rand der Fläche</translation>
-    </message>
-    <message>
-        <source>depth %1 mm</source>
-        <translation>Tiefe %1 mm</translation>
-    </message>
-    <message>
-        <source>at the layer&apos;s limit</source>
-        <translation>an der Grenze der Schicht</translation>
-    </message>
-    <message>
-        <source>a bulge at the layer&apos;s limit</source>
-        <translation>Wölbung an der Grenze der Schicht</translation>
-    </message>
-    <message>
-        <source>beyond the calibrated range</source>
-        <translation>außerhalb des Kalibrierbereichs</translation>
-    </message>
-    <message>
-        <source>steep: one pixel further changes it by more</source>
-        <translation>steil: ein Pixel weiter ändert sie stärker</translation>
-    </message>
-    <message>
-        <source>doubtful light</source>
-        <translation>zweifelhaftes Licht</translation>
-    </message>
-    <message>
-        <source> (%1)</source>
-        <translation> (%1)</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;%1&lt;/b&gt;: off the face</source>
-        <translation>&lt;b&gt;%1&lt;/b&gt;: außerhalb der Fläche</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;%1&lt;/b&gt;: x %2, y %3, z %4 mm</source>
-        <translation>&lt;b&gt;%1&lt;/b&gt;: x %2, y %3, z %4 mm</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;A to B&lt;/b&gt;: %1 mm straight, %2 mm along the face</source>
-        <translation>&lt;b&gt;A nach B&lt;/b&gt;: %1 mm gerade, %2 mm entlang der Fläche</translation>
-    </message>
-    <message>
-        <source>offset x %1, y %2, z %3 mm</source>
-        <translation>Versatz x %1, y %2, z %3 mm</translation>
-    </message>
-    <message>
-        <source>Deepest %1 mm; contact at x %2, y %3, z %4 mm.</source>
-        <translation>Tiefster Punkt %1 mm; Kontakt bei x %2, y %3, z %4 mm.</translation>
-    </message>
-    <message>
-        <source>Nothing presses on the face.</source>
-        <translation>Nichts drückt auf die Fläche.</translation>
-    </message>
-    <message>
-        <source>Click on the face for point A, with the right button for point B.</source>
-        <translation>Klicken Sie auf die Fläche für Punkt A, mit der rechten Taste für Punkt B.</translation>
-    </message>
-    <message>
-        <source>not calibrated: no depth</source>
-        <translation>nicht kalibriert: keine Tiefe</translation>
-    </message>
-    <message>
-        <source>%1 mm along, %2 mm across; x %3, y %4, z %5 mm</source>
-        <translation>%1 mm längs, %2 mm quer; x %3, y %4, z %5 mm</translation>
     </message>
 </context>
 <context>
@@ -4789,167 +4789,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
 </context>
 <context>
-    <name>alltact::SettingsWords</name>
-    <message>
-        <source>every pixel</source>
-        <translation>jedes Pixel</translation>
-    </message>
-    <message>
-        <source>half the pixels per side</source>
-        <translation>halb so viele Pixel je Seite</translation>
-    </message>
-    <message>
-        <source>a quarter of the pixels per side</source>
-        <translation>ein Viertel der Pixel je Seite</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n image(s) averaged</source>
-        <translation>
-            <numerusform>%n Bild gemittelt</numerusform>
-            <numerusform>%n Bilder gemittelt</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>reference from %n image(s)</source>
-        <translation>
-            <numerusform>Referenz aus %n Bild</numerusform>
-            <numerusform>Referenz aus %n Bildern</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>integer-pixel edges</source>
-        <translation>Kanten auf ganze Pixel</translation>
-    </message>
-    <message>
-        <source>subpixel edges</source>
-        <translation>Kanten subpixelgenau</translation>
-    </message>
-    <message numerus="yes">
-        <source>edges from %n column(s)</source>
-        <translation>
-            <numerusform>Kanten aus %n Spalte</numerusform>
-            <numerusform>Kanten aus %n Spalten</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>edge curve of degree %1</source>
-        <translation>Kantenkurve vom Grad %1</translation>
-    </message>
-    <message>
-        <source>markers as two sorted rows</source>
-        <translation>Marken als zwei sortierte Reihen</translation>
-    </message>
-    <message>
-        <source>markers found by a network</source>
-        <translation>Marken von einem Netz gefunden</translation>
-    </message>
-    <message>
-        <source>markers tracked as spots</source>
-        <translation>Marken als Flecken verfolgt</translation>
-    </message>
-    <message>
-        <source>compared with the image at rest</source>
-        <translation>verglichen mit dem Bild in Ruhe</translation>
-    </message>
-    <message>
-        <source>compared with the nearest image</source>
-        <translation>verglichen mit dem ähnlichsten Bild</translation>
-    </message>
-    <message>
-        <source>compared with several images</source>
-        <translation>verglichen mit mehreren Bildern</translation>
-    </message>
-    <message>
-        <source>light as recorded</source>
-        <translation>Licht wie in der Aufnahme</translation>
-    </message>
-    <message>
-        <source>light corrected</source>
-        <translation>Licht korrigiert</translation>
-    </message>
-    <message>
-        <source>no smoothing</source>
-        <translation>ohne Glättung</translation>
-    </message>
-    <message>
-        <source>smoothing of %1 px</source>
-        <translation>Glättung von %1 px</translation>
-    </message>
-    <message>
-        <source>lens assumed distortion-free</source>
-        <translation>Objektiv als verzeichnungsfrei angenommen</translation>
-    </message>
-    <message>
-        <source>lens corrected at every point</source>
-        <translation>Objektiv an jedem Punkt korrigiert</translation>
-    </message>
-    <message>
-        <source>parallel rays through the layer</source>
-        <translation>parallele Strahlen durch die Schicht</translation>
-    </message>
-    <message>
-        <source>exact rays through the layer</source>
-        <translation>genaue Strahlen durch die Schicht</translation>
-    </message>
-</context>
-<context>
-    <name>alltact::SheetWords</name>
-    <message>
-        <source>Finger %1: verdict on its calibration</source>
-        <translation>Finger %1: Urteil über die Kalibrierung</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1, ball of radius %2 mm, %n press(es), AllTact %3</source>
-        <translation>
-            <numerusform>%1, Kugel mit Radius %2 mm, %n Eindruck, AllTact %3</numerusform>
-            <numerusform>%1, Kugel mit Radius %2 mm, %n Eindrücke, AllTact %3</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>By zone of the face: %1.</source>
-        <translation>Nach Zonen der Fläche: %1.</translation>
-    </message>
-    <message>
-        <source>The presses show a fault</source>
-        <translation>Die Eindrücke zeigen einen Fehler</translation>
-    </message>
-    <message>
-        <source>From brightness to depth: each point is a block of pixels under a ball.</source>
-        <translation>Von der Helligkeit zur Tiefe: jeder Punkt ist ein Block von Pixeln unter einer Kugel.</translation>
-    </message>
-    <message>
-        <source>Position on the face, and the mapping&apos;s error there.</source>
-        <translation>Position auf der Fläche und Fehler der Abbildung dort.</translation>
-    </message>
-    <message>
-        <source>Press</source>
-        <translation>Eindruck</translation>
-    </message>
-    <message>
-        <source>Depth (mm)</source>
-        <translation>Tiefe (mm)</translation>
-    </message>
-    <message>
-        <source>Error (mm)</source>
-        <translation>Fehler (mm)</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n more press(es) in the report.</source>
-        <translation>
-            <numerusform>%n weiterer Eindruck im Bericht.</numerusform>
-            <numerusform>%n weitere Eindrücke im Bericht.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Print the verdict</source>
-        <translation>Das Urteil drucken</translation>
-    </message>
-    <message>
-        <source>unknown</source>
-        <translation>unbekannt</translation>
-    </message>
-</context>
-<context>
     <name>alltact::SettingsComparison</name>
     <message>
         <source>Depth with the setting in use now</source>
@@ -5014,25 +4853,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>No contact: touch the finger to compare depths.</source>
         <translation>Kein Kontakt: den Finger berühren, um die Tiefen zu vergleichen.</translation>
-    </message>
-</context>
-<context>
-    <name>alltact::SnapshotWords</name>
-    <message>
-        <source>Save the image</source>
-        <translation>Bild speichern</translation>
-    </message>
-    <message>
-        <source>As shown (*.png)</source>
-        <translation>Wie angezeigt (*.png)</translation>
-    </message>
-    <message>
-        <source>Only the camera&apos;s image (*.png)</source>
-        <translation>Nur das Bild der Kamera (*.png)</translation>
-    </message>
-    <message>
-        <source>%1 could not be written. Choose another folder, or free some disk space.</source>
-        <translation>%1 konnte nicht geschrieben werden. Einen anderen Ordner wählen oder Speicherplatz freigeben.</translation>
     </message>
 </context>
 <context>
@@ -5237,9 +5057,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>Copy as text</source>
         <translation>Als Text kopieren</translation>
     </message>
-</context>
-<context>
-    <name>alltact::SurfaceWords</name>
     <message>
         <source>Ball&apos;s radius</source>
         <translation>Kugelradius</translation>
@@ -5524,6 +5341,56 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>The presses have changed since this calibration.</source>
         <translation>Die Eindrücke haben sich seit dieser Kalibrierung geändert.</translation>
     </message>
+    <message>
+        <source>Finger %1: verdict on its calibration</source>
+        <translation>Finger %1: Urteil über die Kalibrierung</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, ball of radius %2 mm, %n press(es), AllTact %3</source>
+        <translation>
+            <numerusform>%1, Kugel mit Radius %2 mm, %n Eindruck, AllTact %3</numerusform>
+            <numerusform>%1, Kugel mit Radius %2 mm, %n Eindrücke, AllTact %3</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The presses show a fault</source>
+        <translation>Die Eindrücke zeigen einen Fehler</translation>
+    </message>
+    <message>
+        <source>From brightness to depth: each point is a block of pixels under a ball.</source>
+        <translation>Von der Helligkeit zur Tiefe: jeder Punkt ist ein Block von Pixeln unter einer Kugel.</translation>
+    </message>
+    <message>
+        <source>Position on the face, and the mapping&apos;s error there.</source>
+        <translation>Position auf der Fläche und Fehler der Abbildung dort.</translation>
+    </message>
+    <message>
+        <source>Press</source>
+        <translation>Eindruck</translation>
+    </message>
+    <message>
+        <source>Depth (mm)</source>
+        <translation>Tiefe (mm)</translation>
+    </message>
+    <message>
+        <source>Error (mm)</source>
+        <translation>Fehler (mm)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more press(es) in the report.</source>
+        <translation>
+            <numerusform>%n weiterer Eindruck im Bericht.</numerusform>
+            <numerusform>%n weitere Eindrücke im Bericht.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Print the verdict</source>
+        <translation>Das Urteil drucken</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
 </context>
 <context>
     <name>alltact::ViewBox</name>
@@ -5725,7 +5592,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
 </context>
 <context>
-    <name>alltact::WorthWords</name>
+    <name>alltact::VerdictText</name>
     <message>
         <source>Changed since it was calibrated</source>
         <translation>Seit der Kalibrierung geändert</translation>
@@ -5754,16 +5621,106 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <comment>an error</comment>
         <translation>schlecht</translation>
     </message>
-</context>
-<context>
-    <name>alltact::ZeroWords</name>
     <message>
-        <source>re-zero the force</source>
-        <translation>Kraft neu nullen</translation>
+        <source>every pixel</source>
+        <translation>jedes Pixel</translation>
     </message>
     <message>
-        <source>show the force as measured</source>
-        <translation>Kraft wie gemessen zeigen</translation>
+        <source>half the pixels per side</source>
+        <translation>halb so viele Pixel je Seite</translation>
+    </message>
+    <message>
+        <source>a quarter of the pixels per side</source>
+        <translation>ein Viertel der Pixel je Seite</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n image(s) averaged</source>
+        <translation>
+            <numerusform>%n Bild gemittelt</numerusform>
+            <numerusform>%n Bilder gemittelt</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>reference from %n image(s)</source>
+        <translation>
+            <numerusform>Referenz aus %n Bild</numerusform>
+            <numerusform>Referenz aus %n Bildern</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>integer-pixel edges</source>
+        <translation>Kanten auf ganze Pixel</translation>
+    </message>
+    <message>
+        <source>subpixel edges</source>
+        <translation>Kanten subpixelgenau</translation>
+    </message>
+    <message numerus="yes">
+        <source>edges from %n column(s)</source>
+        <translation>
+            <numerusform>Kanten aus %n Spalte</numerusform>
+            <numerusform>Kanten aus %n Spalten</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>edge curve of degree %1</source>
+        <translation>Kantenkurve vom Grad %1</translation>
+    </message>
+    <message>
+        <source>markers as two sorted rows</source>
+        <translation>Marken als zwei sortierte Reihen</translation>
+    </message>
+    <message>
+        <source>markers found by a network</source>
+        <translation>Marken von einem Netz gefunden</translation>
+    </message>
+    <message>
+        <source>markers tracked as spots</source>
+        <translation>Marken als Flecken verfolgt</translation>
+    </message>
+    <message>
+        <source>compared with the image at rest</source>
+        <translation>verglichen mit dem Bild in Ruhe</translation>
+    </message>
+    <message>
+        <source>compared with the nearest image</source>
+        <translation>verglichen mit dem ähnlichsten Bild</translation>
+    </message>
+    <message>
+        <source>compared with several images</source>
+        <translation>verglichen mit mehreren Bildern</translation>
+    </message>
+    <message>
+        <source>light as recorded</source>
+        <translation>Licht wie in der Aufnahme</translation>
+    </message>
+    <message>
+        <source>light corrected</source>
+        <translation>Licht korrigiert</translation>
+    </message>
+    <message>
+        <source>no smoothing</source>
+        <translation>ohne Glättung</translation>
+    </message>
+    <message>
+        <source>smoothing of %1 px</source>
+        <translation>Glättung von %1 px</translation>
+    </message>
+    <message>
+        <source>lens assumed distortion-free</source>
+        <translation>Objektiv als verzeichnungsfrei angenommen</translation>
+    </message>
+    <message>
+        <source>lens corrected at every point</source>
+        <translation>Objektiv an jedem Punkt korrigiert</translation>
+    </message>
+    <message>
+        <source>parallel rays through the layer</source>
+        <translation>parallele Strahlen durch die Schicht</translation>
+    </message>
+    <message>
+        <source>exact rays through the layer</source>
+        <translation>genaue Strahlen durch die Schicht</translation>
     </message>
 </context>
 <context>

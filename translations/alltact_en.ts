@@ -298,7 +298,7 @@
     </message>
 </context>
 <context>
-    <name>alltact::SettingsWords</name>
+    <name>alltact::VerdictText</name>
     <message numerus="yes">
         <source>%n image(s) averaged</source>
         <translation>
@@ -322,23 +322,6 @@
     </message>
 </context>
 <context>
-    <name>alltact::SheetWords</name>
-    <message numerus="yes">
-        <source>%1, ball of radius %2 mm, %n press(es), AllTact %3</source>
-        <translation>
-            <numerusform>%1, ball of radius %2 mm, %n press, AllTact %3</numerusform>
-            <numerusform>%1, ball of radius %2 mm, %n presses, AllTact %3</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n more press(es) in the report.</source>
-        <translation>
-            <numerusform>%n more press in the report.</numerusform>
-            <numerusform>%n more presses in the report.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
     <name>alltact::StatusLine</name>
     <message numerus="yes">
         <source>%n frame(s) lost</source>
@@ -355,6 +338,20 @@
         <translation>
             <numerusform>• %n more at the top of the remarks.</numerusform>
             <numerusform>• %n more at the top of the remarks.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, ball of radius %2 mm, %n press(es), AllTact %3</source>
+        <translation>
+            <numerusform>%1, ball of radius %2 mm, %n press, AllTact %3</numerusform>
+            <numerusform>%1, ball of radius %2 mm, %n presses, AllTact %3</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more press(es) in the report.</source>
+        <translation>
+            <numerusform>%n more press in the report.</numerusform>
+            <numerusform>%n more presses in the report.</numerusform>
         </translation>
     </message>
 </context>

@@ -608,6 +608,30 @@
         <source>Along: over the face from its base. Across: from its centre line towards +y. Direction: displacement of the finger in the camera&apos;s frame; its standard deviation applies within the finger&apos;s cross-section.</source>
         <translation>纵向：沿接触面从根部算起。横向：从接触面的中线向 +y 方向。方向：手指的位移方向，以相机坐标系表示；其标准差是手指横截面内的标准差。</translation>
     </message>
+    <message>
+        <source>The finger is being loaded.</source>
+        <translation>正在加载手指。</translation>
+    </message>
+    <message>
+        <source>Open a finger to see its forces.</source>
+        <translation>请打开一个手指以查看其受力。</translation>
+    </message>
+    <message>
+        <source>Forces need a finger with markers.</source>
+        <translation>测力需要带标记点的手指。</translation>
+    </message>
+    <message>
+        <source>Forces need a reference recording: record one.</source>
+        <translation>测力需要参考录像：请录制。</translation>
+    </message>
+    <message>
+        <source>No force is estimated for this image.</source>
+        <translation>此图像没有力的估计值。</translation>
+    </message>
+    <message>
+        <source>This finger has no force model yet. Train one with a table of its markers and a gauge&apos;s forces:</source>
+        <translation>此手指还没有力模型。请用包含其标记点和测力计读数的表训练一个：</translation>
+    </message>
 </context>
 <context>
     <name>alltact::ControlPanel</name>
@@ -1390,6 +1414,14 @@
         <source>Zero: the reading of %1.</source>
         <translation>零点：%1 的读数。</translation>
     </message>
+    <message>
+        <source>re-zero the force</source>
+        <translation>力重新归零</translation>
+    </message>
+    <message>
+        <source>show the force as measured</source>
+        <translation>按测量值显示力</translation>
+    </message>
 </context>
 <context>
     <name>alltact::ForcePlot</name>
@@ -1400,60 +1432,6 @@
     <message>
         <source>Force (N)</source>
         <translation>力 (N)</translation>
-    </message>
-</context>
-<context>
-    <name>alltact::ForceWords</name>
-    <message>
-        <source>The finger is being loaded.</source>
-        <translation>正在加载手指。</translation>
-    </message>
-    <message>
-        <source>Open a finger to see its forces.</source>
-        <translation>请打开一个手指以查看其受力。</translation>
-    </message>
-    <message>
-        <source>Forces need a finger with markers.</source>
-        <translation>测力需要带标记点的手指。</translation>
-    </message>
-    <message>
-        <source>Forces need a reference recording: record one.</source>
-        <translation>测力需要参考录像：请录制。</translation>
-    </message>
-    <message>
-        <source>No force is estimated for this image.</source>
-        <translation>此图像没有力的估计值。</translation>
-    </message>
-    <message>
-        <source>This finger has no force model yet. Train one with a table of its markers and a gauge&apos;s forces:</source>
-        <translation>此手指还没有力模型。请用包含其标记点和测力计读数的表训练一个：</translation>
-    </message>
-</context>
-<context>
-    <name>alltact::FrameWords</name>
-    <message>
-        <source>no depth: too dark</source>
-        <translation>无深度：过暗</translation>
-    </message>
-    <message>
-        <source>no depth: too bright</source>
-        <translation>无深度：过亮</translation>
-    </message>
-    <message>
-        <source>no depth: off the face</source>
-        <translation>无深度：不在接触面上</translation>
-    </message>
-    <message>
-        <source>u %1 px, v %2 px, grey %3</source>
-        <translation>u %1 px，v %2 px，灰度 %3</translation>
-    </message>
-    <message>
-        <source>depth %1 mm</source>
-        <translation>深度 %1 mm</translation>
-    </message>
-    <message>
-        <source>Depth, mm</source>
-        <translation>深度，mm</translation>
     </message>
 </context>
 <context>
@@ -1745,6 +1723,22 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>The frame is being measured again for the comparison.</source>
         <translation>正在再次测量此帧，以便比较。</translation>
     </message>
+    <message>
+        <source>at the layer&apos;s limit</source>
+        <translation>达到层的极限</translation>
+    </message>
+    <message>
+        <source>beyond the calibrated range</source>
+        <translation>超出标定范围</translation>
+    </message>
+    <message>
+        <source>doubtful light</source>
+        <translation>光照可疑</translation>
+    </message>
+    <message>
+        <source>steep: position matters</source>
+        <translation>陡坡：受位置影响大</translation>
+    </message>
 </context>
 <context>
     <name>alltact::InspectPage</name>
@@ -1893,18 +1887,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>检视(&amp;I)</translation>
     </message>
     <message>
-        <source>Contact</source>
-        <translation>接触</translation>
-    </message>
-    <message>
-        <source>Contacts on the finger</source>
-        <translation>触碰手指的东西</translation>
-    </message>
-    <message>
-        <source>No image yet.</source>
-        <translation>还没有图像。</translation>
-    </message>
-    <message>
         <source>Vide&amp;o…</source>
         <translation>视频(&amp;O)…</translation>
     </message>
@@ -1945,7 +1927,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
 </context>
 <context>
-    <name>alltact::JoinedWords</name>
+    <name>alltact::LocalText</name>
     <message>
         <source>, </source>
         <comment>between things of one kind</comment>
@@ -1965,6 +1947,24 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>: </source>
         <comment>after what names the next</comment>
         <translation>：</translation>
+    </message>
+    <message>
+        <source>under %1</source>
+        <comment>of a standard deviation</comment>
+        <translation>小于 %1</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <comment>of a standard deviation</comment>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>至少 %1</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>至多 %1</translation>
     </message>
 </context>
 <context>
@@ -2036,46 +2036,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>Choose the device that dims the finger&apos;s lamp, if there is one.</source>
         <translation>如有给手指的灯调光的设备，请选择它。</translation>
-    </message>
-</context>
-<context>
-    <name>alltact::NumberText</name>
-    <message>
-        <source>under %1</source>
-        <comment>of a standard deviation</comment>
-        <translation>小于 %1</translation>
-    </message>
-    <message>
-        <source>unknown</source>
-        <comment>of a standard deviation</comment>
-        <translation>未知</translation>
-    </message>
-    <message>
-        <source>at least %1</source>
-        <translation>至少 %1</translation>
-    </message>
-    <message>
-        <source>at most %1</source>
-        <translation>至多 %1</translation>
-    </message>
-</context>
-<context>
-    <name>alltact::LimitWords</name>
-    <message>
-        <source>at the layer&apos;s limit</source>
-        <translation>达到层的极限</translation>
-    </message>
-    <message>
-        <source>beyond the calibrated range</source>
-        <translation>超出标定范围</translation>
-    </message>
-    <message>
-        <source>doubtful light</source>
-        <translation>光照可疑</translation>
-    </message>
-    <message>
-        <source>steep: position matters</source>
-        <translation>陡坡：受位置影响大</translation>
     </message>
 </context>
 <context>
@@ -2488,6 +2448,21 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
 </context>
 <context>
+    <name>alltact::ContactBox</name>
+    <message>
+        <source>No image yet.</source>
+        <translation>还没有图像。</translation>
+    </message>
+    <message>
+        <source>Contact</source>
+        <translation>接触</translation>
+    </message>
+    <message>
+        <source>Contacts on the finger</source>
+        <translation>手指上的接触</translation>
+    </message>
+</context>
+<context>
     <name>alltact::LivePage</name>
     <message>
         <source>show %1</source>
@@ -2548,10 +2523,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>Camera</source>
         <translation>相机</translation>
-    </message>
-    <message>
-        <source>Contact</source>
-        <translation>接触</translation>
     </message>
     <message>
         <source>Time per frame</source>
@@ -2616,10 +2587,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>&amp;Live</source>
         <translation>实时(&amp;L)</translation>
-    </message>
-    <message>
-        <source>Contacts on the finger</source>
-        <translation>手指上的接触</translation>
     </message>
     <message>
         <source>Force</source>
@@ -3166,6 +3133,42 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>Frozen</source>
         <translation>已定格</translation>
     </message>
+    <message>
+        <source>As shown (*.png)</source>
+        <translation>按当前显示 (*.png)</translation>
+    </message>
+    <message>
+        <source>Only the camera&apos;s image (*.png)</source>
+        <translation>仅相机图像 (*.png)</translation>
+    </message>
+    <message>
+        <source>%1 could not be written. Choose another folder, or free some disk space.</source>
+        <translation>无法写入 %1。请选择其他文件夹，或腾出磁盘空间。</translation>
+    </message>
+    <message>
+        <source>no depth: too dark</source>
+        <translation>无深度：过暗</translation>
+    </message>
+    <message>
+        <source>no depth: too bright</source>
+        <translation>无深度：过亮</translation>
+    </message>
+    <message>
+        <source>no depth: off the face</source>
+        <translation>无深度：不在接触面上</translation>
+    </message>
+    <message>
+        <source>u %1 px, v %2 px, grey %3</source>
+        <translation>u %1 px，v %2 px，灰度 %3</translation>
+    </message>
+    <message>
+        <source>depth %1 mm</source>
+        <translation>深度 %1 mm</translation>
+    </message>
+    <message>
+        <source>Depth, mm</source>
+        <translation>深度，mm</translation>
+    </message>
 </context>
 <context>
     <name>alltact::PageHint</name>
@@ -3283,6 +3286,82 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>Nothing to measure yet.</source>
         <translation>还没有可测量的内容。</translation>
+    </message>
+    <message>
+        <source>no depth: too dark</source>
+        <translation>无深度：过暗</translation>
+    </message>
+    <message>
+        <source>no depth: too bright</source>
+        <translation>无深度：过亮</translation>
+    </message>
+    <message>
+        <source>no depth: near the face&apos;s edge</source>
+        <translation>无深度：靠近接触面的边缘</translation>
+    </message>
+    <message>
+        <source>depth %1 mm</source>
+        <translation>深度 %1 mm</translation>
+    </message>
+    <message>
+        <source>at the layer&apos;s limit</source>
+        <translation>达到层的极限</translation>
+    </message>
+    <message>
+        <source>a bulge at the layer&apos;s limit</source>
+        <translation>隆起达到层的极限</translation>
+    </message>
+    <message>
+        <source>beyond the calibrated range</source>
+        <translation>超出标定范围</translation>
+    </message>
+    <message>
+        <source>steep: one pixel further changes it by more</source>
+        <translation>陡坡：偏移一个像素的变化更大</translation>
+    </message>
+    <message>
+        <source>doubtful light</source>
+        <translation>光照可疑</translation>
+    </message>
+    <message>
+        <source> (%1)</source>
+        <translation>（%1）</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1&lt;/b&gt;: off the face</source>
+        <translation>&lt;b&gt;%1&lt;/b&gt;：不在接触面上</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1&lt;/b&gt;: x %2, y %3, z %4 mm</source>
+        <translation>&lt;b&gt;%1&lt;/b&gt;：x %2、y %3、z %4 mm</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;A to B&lt;/b&gt;: %1 mm straight, %2 mm along the face</source>
+        <translation>&lt;b&gt;A 到 B&lt;/b&gt;：直线 %1 mm，沿接触面 %2 mm</translation>
+    </message>
+    <message>
+        <source>offset x %1, y %2, z %3 mm</source>
+        <translation>偏移 x %1、y %2、z %3 mm</translation>
+    </message>
+    <message>
+        <source>Deepest %1 mm; contact at x %2, y %3, z %4 mm.</source>
+        <translation>最深 %1 mm；接触位置 x %2、y %3、z %4 mm。</translation>
+    </message>
+    <message>
+        <source>Nothing presses on the face.</source>
+        <translation>没有物体压在接触面上。</translation>
+    </message>
+    <message>
+        <source>Click on the face for point A, with the right button for point B.</source>
+        <translation>在接触面上单击设置 A 点，右键单击设置 B 点。</translation>
+    </message>
+    <message>
+        <source>not calibrated: no depth</source>
+        <translation>未标定：没有深度</translation>
+    </message>
+    <message>
+        <source>%1 mm along, %2 mm across; x %3, y %4, z %5 mm</source>
+        <translation>纵向 %1 mm，横向 %2 mm；x %3，y %4，z %5 mm</translation>
     </message>
 </context>
 <context>
@@ -3945,85 +4024,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>%1 (Ctrl+%2)</source>
         <translation>%1 (Ctrl+%2)</translation>
-    </message>
-</context>
-<context>
-    <name>alltact::ReadingWords</name>
-    <message>
-        <source>no depth: too dark</source>
-        <translation>无深度：过暗</translation>
-    </message>
-    <message>
-        <source>no depth: too bright</source>
-        <translation>无深度：过亮</translation>
-    </message>
-    <message>
-        <source>no depth: near the face&apos;s edge</source>
-        <translation>无深度：靠近接触面的边缘</translation>
-    </message>
-    <message>
-        <source>depth %1 mm</source>
-        <translation>深度 %1 mm</translation>
-    </message>
-    <message>
-        <source>at the layer&apos;s limit</source>
-        <translation>达到层的极限</translation>
-    </message>
-    <message>
-        <source>a bulge at the layer&apos;s limit</source>
-        <translation>隆起达到层的极限</translation>
-    </message>
-    <message>
-        <source>beyond the calibrated range</source>
-        <translation>超出标定范围</translation>
-    </message>
-    <message>
-        <source>steep: one pixel further changes it by more</source>
-        <translation>陡坡：偏移一个像素的变化更大</translation>
-    </message>
-    <message>
-        <source>doubtful light</source>
-        <translation>光照可疑</translation>
-    </message>
-    <message>
-        <source> (%1)</source>
-        <translation>（%1）</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;%1&lt;/b&gt;: off the face</source>
-        <translation>&lt;b&gt;%1&lt;/b&gt;：不在接触面上</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;%1&lt;/b&gt;: x %2, y %3, z %4 mm</source>
-        <translation>&lt;b&gt;%1&lt;/b&gt;：x %2、y %3、z %4 mm</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;A to B&lt;/b&gt;: %1 mm straight, %2 mm along the face</source>
-        <translation>&lt;b&gt;A 到 B&lt;/b&gt;：直线 %1 mm，沿接触面 %2 mm</translation>
-    </message>
-    <message>
-        <source>offset x %1, y %2, z %3 mm</source>
-        <translation>偏移 x %1、y %2、z %3 mm</translation>
-    </message>
-    <message>
-        <source>Deepest %1 mm; contact at x %2, y %3, z %4 mm.</source>
-        <translation>最深 %1 mm；接触位置 x %2、y %3、z %4 mm。</translation>
-    </message>
-    <message>
-        <source>Nothing presses on the face.</source>
-        <translation>没有物体压在接触面上。</translation>
-    </message>
-    <message>
-        <source>Click on the face for point A, with the right button for point B.</source>
-        <translation>在接触面上单击设置 A 点，右键单击设置 B 点。</translation>
-    </message>
-    <message>
-        <source>not calibrated: no depth</source>
-        <translation>未标定：没有深度</translation>
-    </message>
-    <message>
-        <source>%1 mm along, %2 mm across; x %3, y %4, z %5 mm</source>
-        <translation>纵向 %1 mm，横向 %2 mm；x %3，y %4，z %5 mm</translation>
     </message>
 </context>
 <context>
@@ -4754,162 +4754,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
 </context>
 <context>
-    <name>alltact::SettingsWords</name>
-    <message>
-        <source>every pixel</source>
-        <translation>全部像素</translation>
-    </message>
-    <message>
-        <source>half the pixels per side</source>
-        <translation>每边一半像素</translation>
-    </message>
-    <message>
-        <source>a quarter of the pixels per side</source>
-        <translation>每边四分之一像素</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n image(s) averaged</source>
-        <translation>
-            <numerusform>%n 张图像取平均</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>reference from %n image(s)</source>
-        <translation>
-            <numerusform>参考取自 %n 张图像</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>integer-pixel edges</source>
-        <translation>边缘取整像素</translation>
-    </message>
-    <message>
-        <source>subpixel edges</source>
-        <translation>边缘取亚像素</translation>
-    </message>
-    <message numerus="yes">
-        <source>edges from %n column(s)</source>
-        <translation>
-            <numerusform>边缘取自 %n 列</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>edge curve of degree %1</source>
-        <translation>边缘曲线为 %1 次</translation>
-    </message>
-    <message>
-        <source>markers as two sorted rows</source>
-        <translation>标记点按两行排序</translation>
-    </message>
-    <message>
-        <source>markers found by a network</source>
-        <translation>标记点由网络查找</translation>
-    </message>
-    <message>
-        <source>markers tracked as spots</source>
-        <translation>标记点按斑点跟踪</translation>
-    </message>
-    <message>
-        <source>compared with the image at rest</source>
-        <translation>与静止时的图像比较</translation>
-    </message>
-    <message>
-        <source>compared with the nearest image</source>
-        <translation>与最接近的图像比较</translation>
-    </message>
-    <message>
-        <source>compared with several images</source>
-        <translation>与多张图像比较</translation>
-    </message>
-    <message>
-        <source>light as recorded</source>
-        <translation>光照与录像相同</translation>
-    </message>
-    <message>
-        <source>light corrected</source>
-        <translation>光照已校正</translation>
-    </message>
-    <message>
-        <source>no smoothing</source>
-        <translation>不平滑</translation>
-    </message>
-    <message>
-        <source>smoothing of %1 px</source>
-        <translation>平滑 %1 px</translation>
-    </message>
-    <message>
-        <source>lens assumed distortion-free</source>
-        <translation>将镜头视为无畸变</translation>
-    </message>
-    <message>
-        <source>lens corrected at every point</source>
-        <translation>逐点校正镜头</translation>
-    </message>
-    <message>
-        <source>parallel rays through the layer</source>
-        <translation>穿过层的平行光线</translation>
-    </message>
-    <message>
-        <source>exact rays through the layer</source>
-        <translation>穿过层的精确光线</translation>
-    </message>
-</context>
-<context>
-    <name>alltact::SheetWords</name>
-    <message>
-        <source>Finger %1: verdict on its calibration</source>
-        <translation>手指 %1：标定结论</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1, ball of radius %2 mm, %n press(es), AllTact %3</source>
-        <translation>
-            <numerusform>%1，球半径 %2 mm，%n 次按压，AllTact %3</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>By zone of the face: %1.</source>
-        <translation>按接触面的区域：%1。</translation>
-    </message>
-    <message>
-        <source>The presses show a fault</source>
-        <translation>按压显示有故障</translation>
-    </message>
-    <message>
-        <source>From brightness to depth: each point is a block of pixels under a ball.</source>
-        <translation>从亮度到深度：每个点是球下的一块像素。</translation>
-    </message>
-    <message>
-        <source>Position on the face, and the mapping&apos;s error there.</source>
-        <translation>接触面上的位置，以及映射在该处的误差。</translation>
-    </message>
-    <message>
-        <source>Press</source>
-        <translation>按压</translation>
-    </message>
-    <message>
-        <source>Depth (mm)</source>
-        <translation>深度 (mm)</translation>
-    </message>
-    <message>
-        <source>Error (mm)</source>
-        <translation>误差 (mm)</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n more press(es) in the report.</source>
-        <translation>
-            <numerusform>另有 %n 次按压，见报告。</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Print the verdict</source>
-        <translation>打印结论</translation>
-    </message>
-    <message>
-        <source>unknown</source>
-        <translation>未知</translation>
-    </message>
-</context>
-<context>
     <name>alltact::SettingsComparison</name>
     <message>
         <source>Depth with the setting in use now</source>
@@ -4974,25 +4818,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>No contact: touch the finger to compare depths.</source>
         <translation>没有接触：请触碰手指以比较深度。</translation>
-    </message>
-</context>
-<context>
-    <name>alltact::SnapshotWords</name>
-    <message>
-        <source>Save the image</source>
-        <translation>保存图像</translation>
-    </message>
-    <message>
-        <source>As shown (*.png)</source>
-        <translation>按当前显示 (*.png)</translation>
-    </message>
-    <message>
-        <source>Only the camera&apos;s image (*.png)</source>
-        <translation>仅相机图像 (*.png)</translation>
-    </message>
-    <message>
-        <source>%1 could not be written. Choose another folder, or free some disk space.</source>
-        <translation>无法写入 %1。请选择其他文件夹，或腾出磁盘空间。</translation>
     </message>
 </context>
 <context>
@@ -5196,9 +5021,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>Copy as text</source>
         <translation>复制为文本</translation>
     </message>
-</context>
-<context>
-    <name>alltact::SurfaceWords</name>
     <message>
         <source>Ball&apos;s radius</source>
         <translation>球半径</translation>
@@ -5482,6 +5304,54 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>The presses have changed since this calibration.</source>
         <translation>此次标定之后按压已有改动。</translation>
     </message>
+    <message>
+        <source>Finger %1: verdict on its calibration</source>
+        <translation>手指 %1：标定结论</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, ball of radius %2 mm, %n press(es), AllTact %3</source>
+        <translation>
+            <numerusform>%1，球半径 %2 mm，%n 次按压，AllTact %3</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The presses show a fault</source>
+        <translation>按压显示有故障</translation>
+    </message>
+    <message>
+        <source>From brightness to depth: each point is a block of pixels under a ball.</source>
+        <translation>从亮度到深度：每个点是球下的一块像素。</translation>
+    </message>
+    <message>
+        <source>Position on the face, and the mapping&apos;s error there.</source>
+        <translation>接触面上的位置，以及映射在该处的误差。</translation>
+    </message>
+    <message>
+        <source>Press</source>
+        <translation>按压</translation>
+    </message>
+    <message>
+        <source>Depth (mm)</source>
+        <translation>深度 (mm)</translation>
+    </message>
+    <message>
+        <source>Error (mm)</source>
+        <translation>误差 (mm)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more press(es) in the report.</source>
+        <translation>
+            <numerusform>另有 %n 次按压，见报告。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Print the verdict</source>
+        <translation>打印结论</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>未知</translation>
+    </message>
 </context>
 <context>
     <name>alltact::ViewBox</name>
@@ -5683,7 +5553,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
 </context>
 <context>
-    <name>alltact::WorthWords</name>
+    <name>alltact::VerdictText</name>
     <message>
         <source>Changed since it was calibrated</source>
         <translation>标定后已有改动</translation>
@@ -5712,16 +5582,103 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <comment>an error</comment>
         <translation>差</translation>
     </message>
-</context>
-<context>
-    <name>alltact::ZeroWords</name>
     <message>
-        <source>re-zero the force</source>
-        <translation>力重新归零</translation>
+        <source>every pixel</source>
+        <translation>全部像素</translation>
     </message>
     <message>
-        <source>show the force as measured</source>
-        <translation>按测量值显示力</translation>
+        <source>half the pixels per side</source>
+        <translation>每边一半像素</translation>
+    </message>
+    <message>
+        <source>a quarter of the pixels per side</source>
+        <translation>每边四分之一像素</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n image(s) averaged</source>
+        <translation>
+            <numerusform>%n 张图像取平均</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>reference from %n image(s)</source>
+        <translation>
+            <numerusform>参考取自 %n 张图像</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>integer-pixel edges</source>
+        <translation>边缘取整像素</translation>
+    </message>
+    <message>
+        <source>subpixel edges</source>
+        <translation>边缘取亚像素</translation>
+    </message>
+    <message numerus="yes">
+        <source>edges from %n column(s)</source>
+        <translation>
+            <numerusform>边缘取自 %n 列</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>edge curve of degree %1</source>
+        <translation>边缘曲线为 %1 次</translation>
+    </message>
+    <message>
+        <source>markers as two sorted rows</source>
+        <translation>标记点按两行排序</translation>
+    </message>
+    <message>
+        <source>markers found by a network</source>
+        <translation>标记点由网络查找</translation>
+    </message>
+    <message>
+        <source>markers tracked as spots</source>
+        <translation>标记点按斑点跟踪</translation>
+    </message>
+    <message>
+        <source>compared with the image at rest</source>
+        <translation>与静止时的图像比较</translation>
+    </message>
+    <message>
+        <source>compared with the nearest image</source>
+        <translation>与最接近的图像比较</translation>
+    </message>
+    <message>
+        <source>compared with several images</source>
+        <translation>与多张图像比较</translation>
+    </message>
+    <message>
+        <source>light as recorded</source>
+        <translation>光照与录像相同</translation>
+    </message>
+    <message>
+        <source>light corrected</source>
+        <translation>光照已校正</translation>
+    </message>
+    <message>
+        <source>no smoothing</source>
+        <translation>不平滑</translation>
+    </message>
+    <message>
+        <source>smoothing of %1 px</source>
+        <translation>平滑 %1 px</translation>
+    </message>
+    <message>
+        <source>lens assumed distortion-free</source>
+        <translation>将镜头视为无畸变</translation>
+    </message>
+    <message>
+        <source>lens corrected at every point</source>
+        <translation>逐点校正镜头</translation>
+    </message>
+    <message>
+        <source>parallel rays through the layer</source>
+        <translation>穿过层的平行光线</translation>
+    </message>
+    <message>
+        <source>exact rays through the layer</source>
+        <translation>穿过层的精确光线</translation>
     </message>
 </context>
 <context>

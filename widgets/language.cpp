@@ -82,70 +82,55 @@ EnglishScope::~EnglishScope() {
 
 namespace {
 
-struct JoinedWords {
-  Q_DECLARE_TR_FUNCTIONS(alltact::JoinedWords)
- public:
-  static QString between_things() { return tr(", ", "between things of one kind"); }
-  static QString between_parts() { return tr(", ", "between parts of a sentence"); }
-  static QString between_clauses() { return tr("; ", "between clauses"); }
-  static QString after_label() { return tr(": ", "after what names the next"); }
+struct LocalText {
+  Q_DECLARE_TR_FUNCTIONS(alltact::LocalText)
 };
 
 }  // namespace
 
-QString listed(const QStringList& things) { return things.join(JoinedWords::between_things()); }
+QString listed(const QStringList& things) {
+  return things.join(LocalText::tr(", ", "between things of one kind"));
+}
 
 QString joined(const QStringList& parts) {
   QStringList parts_shown = parts;
   parts_shown.removeAll(QString());
-  return parts_shown.join(JoinedWords::between_parts());
+  return parts_shown.join(LocalText::tr(", ", "between parts of a sentence"));
 }
 
 QString joined_clauses(const QStringList& clauses) {
-  return clauses.join(JoinedWords::between_clauses());
+  return clauses.join(LocalText::tr("; ", "between clauses"));
 }
 
 QString labelled(const QString& label, const QString& what) {
-  return label + JoinedWords::after_label() + what;
+  return label + LocalText::tr(": ", "after what names the next") + what;
 }
-
-namespace {
-
-struct NumberText {
-  Q_DECLARE_TR_FUNCTIONS(alltact::NumberText)
- public:
-  static QString sd(double sd, int digits) {
-    switch (sd_kind(sd, digits)) {
-      case SdKind::kNumber:
-        return plain_number(sd, digits);
-      case SdKind::kUnder:
-        return tr("under %1", "of a standard deviation")
-            .arg(plain_number(std::pow(10, -digits), digits));
-      case SdKind::kUnknown:
-        break;
-    }
-    return tr("unknown", "of a standard deviation");
-  }
-  static QString at_least() { return tr("at least %1"); }
-  static QString at_most() { return tr("at most %1"); }
-};
-
-}  // namespace
 
 QString plain_number(double value, int digits) {
   const double unit = std::pow(10, digits);
   return QLocale().toString(std::round(value * unit) / unit + 0.0, 'f', digits);
 }
 
-QString number_and_sd(double value, const std::optional<double>& sd, int digits) {
-  const QString text = plain_number(value, digits);
-  return sd ? QStringLiteral("%1 ± %2").arg(text, NumberText::sd(*sd, digits)) : text;
+QString sd_number(double sd, int digits) {
+  switch (sd_kind(sd, digits)) {
+    case SdKind::kNumber:
+      return plain_number(sd, digits);
+    case SdKind::kUnder:
+      return LocalText::tr("under %1", "of a standard deviation")
+          .arg(plain_number(std::pow(10, -digits), digits));
+    case SdKind::kUnknown:
+      break;
+  }
+  return LocalText::tr("unknown", "of a standard deviation");
 }
 
-QString sd_number(double sd, int digits) { return NumberText::sd(sd, digits); }
+QString number_and_sd(double value, const std::optional<double>& sd, int digits) {
+  const QString text = plain_number(value, digits);
+  return sd ? QStringLiteral("%1 ± %2").arg(text, sd_number(*sd, digits)) : text;
+}
 
 QString limit_and_sd(double value, const std::optional<double>& sd, int digits) {
-  return (value < 0 ? NumberText::at_most() : NumberText::at_least())
+  return (value < 0 ? LocalText::tr("at most %1") : LocalText::tr("at least %1"))
       .arg(number_and_sd(value, sd, digits));
 }
 

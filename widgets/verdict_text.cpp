@@ -10,8 +10,8 @@
 namespace alltact {
 namespace {
 
-struct WorthWords {
-  Q_DECLARE_TR_FUNCTIONS(alltact::WorthWords)
+struct VerdictText {
+  Q_DECLARE_TR_FUNCTIONS(alltact::VerdictText)
 };
 
 /// Requirements that report a contradiction of the calibration; all others report missing evidence.
@@ -49,13 +49,13 @@ std::optional<double> expected_error_mm(const Verdict& verdict) {
   return is_vouched && verdict.error_mm > 0 ? std::optional(verdict.error_mm) : std::nullopt;
 }
 
-QString changed_text() { return WorthWords::tr("Changed since it was calibrated"); }
+QString changed_text() { return VerdictText::tr("Changed since it was calibrated"); }
 
 Headline headline_of(Grade grade, double error_mm, bool must_repeat, ReferenceState reference) {
-  if (is_broken(reference)) return {WorthWords::tr("Broken"), Meaning::kBad};
+  if (is_broken(reference)) return {VerdictText::tr("Broken"), Meaning::kBad};
   if (must_repeat)
     return {changed_text(), grade == Grade::kUnfit ? Meaning::kBad : Meaning::kDoubtful};
-  return {error_mm > 0 ? WorthWords::tr("%1, ±%2 mm", "a grade and the expected error")
+  return {error_mm > 0 ? VerdictText::tr("%1, ±%2 mm", "a grade and the expected error")
                              .arg(grade_text(grade), local_mm(error_mm, 3))
                        : grade_text(grade),
           meaning_of(grade)};
@@ -93,9 +93,9 @@ Meaning meaning_of_error(double error_mm) {
 }
 
 QString error_word(Meaning meaning) {
-  return meaning == Meaning::kGood       ? WorthWords::tr("good", "an error")
-         : meaning == Meaning::kDoubtful ? WorthWords::tr("fair", "an error")
-                                         : WorthWords::tr("poor", "an error");
+  return meaning == Meaning::kGood       ? VerdictText::tr("good", "an error")
+         : meaning == Meaning::kDoubtful ? VerdictText::tr("fair", "an error")
+                                         : VerdictText::tr("poor", "an error");
 }
 
 QString local_mm(double value, int digits) { return QLocale().toString(value, 'f', digits); }
@@ -103,48 +103,48 @@ QString local_mm(double value, int digits) { return QLocale().toString(value, 'f
 namespace {
 
 /// The text of one value of one setting.
-class SettingsWords {
-  Q_DECLARE_TR_FUNCTIONS(alltact::SettingsWords)
- public:
-  static QString of(const std::string& name, const std::string& value) {
-    if (name == "resolution")
-      return value == "whole"  ? tr("every pixel")
-             : value == "half" ? tr("half the pixels per side")
-                               : tr("a quarter of the pixels per side");
-    if (name == "average-frames")
-      return tr("%n image(s) averaged", nullptr, QString::fromStdString(value).toInt());
-    if (name == "reference-neighbours")
-      return tr("reference from %n image(s)", nullptr, QString::fromStdString(value).toInt());
-    if (name == "edge-method")
-      return value == "integer" ? tr("integer-pixel edges") : tr("subpixel edges");
-    if (name == "edge-columns")
-      return tr("edges from %n column(s)", nullptr, QString::fromStdString(value).toInt());
-    if (name == "profile-degree")
-      return tr("edge curve of degree %1").arg(QString::fromStdString(value));
-    if (name == "marker-method")
-      return value == "paper"     ? tr("markers as two sorted rows")
-             : value == "network" ? tr("markers found by a network")
-                                  : tr("markers tracked as spots");
-    if (name == "reference-method")
-      return value == "single"    ? tr("compared with the image at rest")
-             : value == "nearest" ? tr("compared with the nearest image")
-                                  : tr("compared with several images");
-    if (name == "light-change")
-      return value == "ignored" ? tr("light as recorded") : tr("light corrected");
-    if (name == "undistortion")
-      return value == "none" ? tr("lens assumed distortion-free")
-                             : tr("lens corrected at every point");
-    if (name == "rays")
-      return value == "parallel" ? tr("parallel rays through the layer")
-                                 : tr("exact rays through the layer");
-    if (name == "smoothing-px") {
-      const double sd_px = QString::fromStdString(value).toDouble();
-      return sd_px == 0 ? tr("no smoothing")
-                        : tr("smoothing of %1 px").arg(QLocale().toString(sd_px));
-    }
-    return QString::fromStdString(name + ' ' + value);
+QString setting_text(const std::string& name, const std::string& value) {
+  if (name == "resolution")
+    return value == "whole"  ? VerdictText::tr("every pixel")
+           : value == "half" ? VerdictText::tr("half the pixels per side")
+                             : VerdictText::tr("a quarter of the pixels per side");
+  if (name == "average-frames")
+    return VerdictText::tr("%n image(s) averaged", nullptr, QString::fromStdString(value).toInt());
+  if (name == "reference-neighbours")
+    return VerdictText::tr("reference from %n image(s)", nullptr,
+                           QString::fromStdString(value).toInt());
+  if (name == "edge-method")
+    return value == "integer" ? VerdictText::tr("integer-pixel edges")
+                              : VerdictText::tr("subpixel edges");
+  if (name == "edge-columns")
+    return VerdictText::tr("edges from %n column(s)", nullptr,
+                           QString::fromStdString(value).toInt());
+  if (name == "profile-degree")
+    return VerdictText::tr("edge curve of degree %1").arg(QString::fromStdString(value));
+  if (name == "marker-method")
+    return value == "paper"     ? VerdictText::tr("markers as two sorted rows")
+           : value == "network" ? VerdictText::tr("markers found by a network")
+                                : VerdictText::tr("markers tracked as spots");
+  if (name == "reference-method")
+    return value == "single"    ? VerdictText::tr("compared with the image at rest")
+           : value == "nearest" ? VerdictText::tr("compared with the nearest image")
+                                : VerdictText::tr("compared with several images");
+  if (name == "light-change")
+    return value == "ignored" ? VerdictText::tr("light as recorded")
+                              : VerdictText::tr("light corrected");
+  if (name == "undistortion")
+    return value == "none" ? VerdictText::tr("lens assumed distortion-free")
+                           : VerdictText::tr("lens corrected at every point");
+  if (name == "rays")
+    return value == "parallel" ? VerdictText::tr("parallel rays through the layer")
+                               : VerdictText::tr("exact rays through the layer");
+  if (name == "smoothing-px") {
+    const double sd_px = QString::fromStdString(value).toDouble();
+    return sd_px == 0 ? VerdictText::tr("no smoothing")
+                      : VerdictText::tr("smoothing of %1 px").arg(QLocale().toString(sd_px));
   }
-};
+  return QString::fromStdString(name + ' ' + value);
+}
 
 }  // namespace
 
@@ -152,7 +152,7 @@ QString difference_words(const PipelineSettings& choice, const PipelineSettings&
   QStringList differences;
   for (const auto& setting : pipeline_settings()) {
     const std::string value = setting.get(choice);
-    if (value != setting.get(base)) differences << SettingsWords::of(setting.name, value);
+    if (value != setting.get(base)) differences << setting_text(setting.name, value);
   }
   return joined(differences);
 }

@@ -4,6 +4,7 @@
 
 #include <QAccessibleWidget>
 #include <QApplication>
+#include <QFileDialog>
 #include <QLocale>
 #include <QPainter>
 #include <algorithm>
@@ -101,8 +102,41 @@ void ElidedLabel::paintEvent(QPaintEvent*) {
       fontMetrics().elidedText(text().mid(bold_), elide_mode_, std::max(0, room.width())));
 }
 
+QLabel* wrapped_label() {
+  auto* label = new QLabel;
+  label->setWordWrap(true);
+  return label;
+}
+
+QLabel* wrapped_text() {
+  QLabel* label = wrapped_label();
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  return label;
+}
+
 QString elided_path(const QString& path, const QFontMetrics& metrics, int room) {
   return metrics.elidedText(path, Qt::ElideLeft, room);
+}
+
+void show_dialog(QDialog& dialog) {
+  dialog.setAttribute(Qt::WA_DeleteOnClose);
+  dialog.show();
+}
+
+void ask_for_file(QWidget* parent, const QString& title, const QString& filter, const UsePath& use,
+                  const QString& start) {
+  auto* dialog = new QFileDialog(parent, title, start, filter);
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  QObject::connect(dialog, &QFileDialog::fileSelected, dialog, use);
+  show_dialog(*dialog);
+}
+
+void ask_for_folder(QWidget* parent, const QString& title, const UsePath& use,
+                    const QString& start) {
+  auto* dialog = new QFileDialog(parent, title, start);
+  dialog->setFileMode(QFileDialog::Directory);
+  QObject::connect(dialog, &QFileDialog::fileSelected, dialog, use);
+  show_dialog(*dialog);
 }
 
 AgeLabel::AgeLabel(QWidget* parent) : Translated<QLabel>(parent) {

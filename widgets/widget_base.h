@@ -1,7 +1,8 @@
-// Widgets that set their texts again when the language changes.
+// Bases of all widgets, whose texts follow the language, and helpers that build their content.
 #pragma once
 
 #include <QAccessible>
+#include <QBoxLayout>
 #include <QDialog>
 #include <QEvent>
 #include <QLabel>
@@ -9,6 +10,7 @@
 #include <QLineEdit>
 #include <QWidget>
 #include <functional>
+#include <initializer_list>
 #include <optional>
 #include <vector>
 
@@ -92,6 +94,11 @@ class ElidedLabel : public QLabel {
   int bold_ = 0;
 };
 
+/// A label of several lines.
+[[nodiscard]] QLabel* wrapped_label();
+/// The same for sentences: they can be selected.
+[[nodiscard]] QLabel* wrapped_text();
+
 /// For a menu or a button: at most `room` px wide, with the complete end of the path.
 [[nodiscard]] QString elided_path(const QString& path, const QFontMetrics& metrics, int room);
 
@@ -101,6 +108,30 @@ class ElidedLabel : public QLabel {
 inline void show_text_as_tip(QLineEdit& field) {
   QObject::connect(&field, &QLineEdit::textChanged, &field, &QWidget::setToolTip);
 }
+
+/// The same layout.
+template <class Layout>
+Layout* without_margins(Layout* layout) {
+  layout->setContentsMargins(0, 0, 0, 0);
+  return layout;
+}
+
+/// Adds them in this order, without stretch.
+inline void add_widgets(QBoxLayout& layout, std::initializer_list<QWidget*> widgets) {
+  for (QWidget* widget : widgets) layout.addWidget(widget);
+}
+
+// Dialogs that do not block the window.
+
+/// It is deleted when it is closed.
+void show_dialog(QDialog& dialog);
+
+using UsePath = std::function<void(const QString& path)>;
+/// Asks for an existing file, from `start` on.
+void ask_for_file(QWidget* parent, const QString& title, const QString& filter, const UsePath& use,
+                  const QString& start = {});
+void ask_for_folder(QWidget* parent, const QString& title, const UsePath& use,
+                    const QString& start = {});
 
 // Age of the shown frame; an old one is highlighted.
 

@@ -4,6 +4,7 @@
 #include "calibration/checks/check_history.h"
 #include "calibration/checks/contact_free_check.h"
 #include "calibration/checks/finger_check.h"
+#include "calibration/checks/press_check.h"
 #include "calibration/finger/calibrate_finger.h"
 #include "calibration/finger/calibration_report.h"
 #include "tests/hard_cases/hard_cases.h"
@@ -79,8 +80,7 @@ void print_check(const PressCheck& check, Console& console) {
   answer["left_out"] = in_english(check.left_out);
 }
 
-}  // namespace
-
+/// Checks the calibration with new presses and stores the outcome. Error: calibrate again.
 Status run_check_presses(const Path& folder, const PressInput& presses, const PressSet& press_set,
                          Console& console) {
   const auto snapshot = open_finger(folder, console);
@@ -98,6 +98,7 @@ Status run_check_presses(const Path& folder, const PressInput& presses, const Pr
   return {};
 }
 
+/// Compares images of the finger out of contact with its reference. Error: record that again.
 Status run_check_reference(const Path& folder, const std::vector<Path>& images, Console& console) {
   const auto finger = open_finger(folder, console);
   if (!finger) return finger.error();
@@ -122,6 +123,7 @@ Status run_check_reference(const Path& folder, const std::vector<Path>& images, 
   return {};
 }
 
+/// Prints the grade of a finger's calibration, and its last checks. Error: it is not fit to use.
 Status run_check(const Path& folder, Console& console) {
   const auto finger = open_finger(folder, console);
   if (!finger) return finger.error();
@@ -152,6 +154,8 @@ Status run_check(const Path& folder, Console& console) {
   return {};
 }
 
+/// Prints the accuracy of hard calculations on this computer (hard_cases.h). Error: one is out of
+/// bounds.
 Status run_check_numerics(Console& console) {
   Console::Json rows = Console::Json::array();
   int failed = 0;
@@ -188,6 +192,8 @@ Status run_check_numerics(Console& console) {
       fmt::format("All {} calculations are within their error bounds on this computer.", all));
   return {};
 }
+
+}  // namespace
 
 void add_check(CLI::App& program, Chosen& chosen) {
   auto folder = std::make_shared<Path>();

@@ -1,25 +1,16 @@
-// The commands of `alltact`: options and function of each. One file each; the demonstration runs
-// the same functions.
+// The commands of `alltact`, a source each: add_NAME() registers a command. Options and functions
+// are declared here only for the commands that the demonstration runs.
 #pragma once
 
 #include "app/console/console.h"
-#include "calibration/checks/press_check.h"
-#include "calibration/export/export_finger.h"
-#include "calibration/force/collect_force.h"
-#include "calibration/force/train_force.h"
 #include "calibration/joint/calibrate.h"
-#include "calibration/lens/calibrate_lens.h"
-#include "calibration/reference/motion_coverage.h"
+#include "calibration/presses/press_input.h"
 #include "calibration/reference/reference_recording.h"
 #include "core/base/message.h"
 #include "core/base/result.h"
 #include "core/batch/parts.h"
-#include "core/camera/camera.h"
-#include "core/devices/hid_button.h"
-#include "core/devices/open_gauge.h"
 #include "core/devices/v4l2_camera.h"
 #include "core/finger/finger_store.h"
-#include "core/recording/recorder.h"
 #include "core/sensing/pipeline_settings.h"
 #include "core/sources/source.h"
 #include "widgets/scene3d/scene_options.h"
@@ -34,7 +25,6 @@
 #include <vector>
 
 #include <CLI/CLI.hpp>
-#include <Eigen/Core>
 #include <opencv2/core/utility.hpp>
 
 namespace alltact {
@@ -58,33 +48,6 @@ struct SimulateOptions {
 };
 /// Renders a scene and writes its truth next to it.
 Status run_simulate(const SimulateOptions& options, Console& console);
-
-struct SimulateFitOptions {
-  Path finger;
-  std::vector<Path> presses;    ///< empty: those stored with the finger
-  std::vector<Path> untouched;  ///< empty: the finger's own reference
-  double ball_radius_mm = 0;    ///< 0: that of the finger's presses
-  Path scene;                   ///< to be written
-};
-/// Writes the scene whose frames match a real finger's (twin.h).
-Status run_simulate_fit(const SimulateFitOptions& options, Console& console);
-/// Prints the time of every effect of the simulation on this computer.
-Status run_simulate_costs(int frames, Console& console);
-/// Lists the effects, or the parameters of one. Error: there is no such effect.
-Status run_simulate_effects(const std::string& name, Console& console);
-
-struct LensOptions {
-  std::vector<Path> inputs;
-  Board board;  ///< only columns, rows and square_mm; the rest is in the settings
-  LensSettings settings;
-  Orientation orientation = Orientation::kNone;
-  std::optional<FlatPort> port;           ///< the finger's window, where the board had none
-  std::optional<double> known_length_mm;  ///< on the finger, with `known_ends`
-  std::vector<double> known_ends_px;      ///< u1 v1 u2 v2 in the image after orientation
-  Path camera;
-};
-/// Calibrates a lens from images of a board and writes CAMERA.yaml.
-Status run_lens(const LensOptions& options, Console& console);
 
 struct ReferenceOptions {
   Path finger;
@@ -134,151 +97,6 @@ struct ReconstructOptions {
 };
 /// Measures depth in frames. Error at the end when any of them failed.
 Status run_reconstruct(const ReconstructOptions& options, Console& console);
-
-/// Merges the parts of a reconstruction (parts.h).
-Status run_merge(const std::vector<Path>& folders, Console& console);
-
-struct ServeOptions {
-  Path finger;
-  std::vector<Path> inputs;
-  std::optional<Path> socket;  ///< empty: the default one (stream_server.h)
-  /// The settings to measure with, as the finger's folder has them now.
-  std::function<Result<PipelineSettings>()> settings;
-  bool schema = false;  ///< prints the format instead
-};
-/// Measures a live source and sends the results to other programs, until it ends or is stopped.
-/// Errors: the socket is taken or others could reach it; the finger is not calibrated.
-Status run_serve(const ServeOptions& options, Console& console);
-
-/// The light that a recording is made with.
-struct LightOptions {
-  std::string device;  ///< empty: none is set
-  std::string control;
-  double brightness = 0;
-};
-
-struct RecordOptions {
-  std::vector<Path> inputs;
-  Path output;  ///< a video; or, with a button, the name pattern of images (png)
-  std::optional<LearntButton> button;
-  LightOptions light;
-  RecorderSettings recorder;
-  Pace pace = Pace::kRecorded;
-  std::uint64_t seed = 1;
-  int threads = 1;
-  std::optional<std::uint64_t> frames;  ///< ends after so many
-  std::optional<double> seconds;        ///< ends after so much recorded time
-  GaugeChoice gauge;                    ///< read in parallel; none where its name is empty
-};
-/// Records a source until it ends or is stopped; with a button, between one press and the next, or
-/// one image a press. Error: frames were lost on this computer, or could not be read; the recording
-/// had to end; the button or the light is missing or not allowed.
-Status run_record(const RecordOptions& options, Console& console);
-
-/// Prints the grade of a finger's calibration, and its last checks. Error: it is not fit to use.
-Status run_check(const Path& finger, Console& console);
-/// Checks the calibration with new presses and stores the outcome. Error: calibrate again.
-Status run_check_presses(const Path& folder, const PressInput& presses, const PressSet& press_set,
-                         Console& console);
-/// Compares images of the finger out of contact with its reference. Error: record that again.
-Status run_check_reference(const Path& finger, const std::vector<Path>& images, Console& console);
-/// Prints the accuracy of hard calculations on this computer (hard_cases.h). Error: one is out of
-/// bounds.
-Status run_check_numerics(Console& console);
-
-struct ForceOptions {
-  Path finger;
-  std::vector<Path> tables;
-  std::optional<ForceSplit> split;
-  std::optional<ForceKind> kind;
-  bool is_kind_given = false;  ///< else, with `again`, as before; kind is empty for "auto"
-  std::optional<double> creep_s;
-  bool again = false;  ///< with the finger's stored table, split, kind and creep
-  bool undo = false;   ///< back to the model from before
-  int threads = 1;
-  std::vector<Path> recording;  ///< a table is made of it, and of:
-  Path gauge, output;           ///< gauge: empty where it lies next to the recording
-  GaugeFileOptions gauge_file;
-  CollectOptions collect;
-};
-/// Trains a finger's force model, or collects a table for that.
-Status run_force(const ForceOptions& options, Console& console);
-
-struct ExportOptions {
-  Path finger;
-  Path folder;
-  std::vector<ExportForm> forms;
-};
-/// Writes a finger's calibration for other programs.
-Status run_export(const ExportOptions& options, Console& console);
-
-struct GripperOptions {
-  Path gripper;  ///< gripper.yaml or its folder
-  std::optional<double> motor_turns;
-  std::optional<double> motor_sd_turns;  ///< empty: gripper.yaml's
-  std::optional<Path> motor_log;         ///< instead of motor_turns, with results
-  std::vector<Path> results;             ///< none, or results.jsonl of the first and second finger
-  double tolerance_ms = 20;
-  Eigen::Vector3d up = {0, 0, -1};  ///< in the gripper's frame
-};
-/// Prints the reach of a gripper's linkages, its cameras' poses for a motor position, and the
-/// object between the fingers from recordings of both. Error: out of reach; no frames that belong
-/// together.
-Status run_gripper(const GripperOptions& options, Console& console);
-
-struct DemoOptions {
-  Path folder;
-  bool studio = false;  ///< the finger alone, and the Studio instead of this program
-  std::uint64_t seed = 1;
-  int threads = 1;
-};
-/// A full day of a simulated finger, with its measurements against the truth. With `studio` it
-/// returns only where that cannot be opened.
-Status run_demo(const DemoOptions& options, Console& console);
-
-struct ExperimentsOptions {
-  std::vector<std::string> names;  ///< none: all
-  std::optional<Path> folder;  ///< for the fingers and experiments.json; empty: nothing is stored
-  std::optional<Path> report;  ///< NAME.html; NAME.pdf goes next to it
-  bool fresh = false;          ///< no finger of an earlier run, and none for a later one
-  std::uint64_t seed = 1;
-  int threads = 2;
-};
-/// Repeats the source paper's experiments in simulation and prints the results next to the paper's.
-/// Error: no such experiment; one of them gave no figure.
-Status run_experiments(const ExperimentsOptions& options, Console& console);
-
-struct StudyCommandOptions {
-  /// None: the demonstration's, simulated; with `simulating` the scene (none: demo_presses).
-  std::vector<Path> fingers;
-  std::optional<Path> folder;  ///< stores the study; empty: nothing is stored
-  bool quick = false;          ///< one setting at a time, a few frames
-  bool calibrating = false;    ///< instead: cost and benefit of presses, frames and methods
-  bool simulating = false;     ///< instead: cost and influence of each effect of a scene
-  bool scaling = false;        ///< instead: time and memory over the size of the measured data
-  std::optional<double> max_time_ms, max_error_mm, position_mm;
-  bool save = false;  ///< stores the presets with the finger
-  std::string use;    ///< settings that the finger uses from now on (study.cpp); empty: as before
-  std::uint64_t seed = 1;
-  int threads = 1;
-};
-/// Prints the time and the accuracy of every setting. An incomplete study in the folder is
-/// continued. Error: those of study_accuracy(); nothing is within the given limits.
-Status run_study(const StudyCommandOptions& options, Console& console);
-
-struct DevicesOptions {
-  bool details = false;       ///< every format and control, too
-  bool learn_button = false;  ///< waits for a button and prints how to recognise it
-};
-/// Lists cameras and HID devices, with the problems of those that cannot be used.
-Status run_devices(const DevicesOptions& options, Console& console);
-
-struct ThumbnailOptions {
-  Path file, output;
-  int size_px = 256;  ///< of the longer side
-};
-/// Writes a thumbnail of a depth map or a mesh for file managers (thumbnail.h).
-Status run_thumbnail(const ThumbnailOptions& options, Console& console);
 
 /// Set by the command that was chosen on the command line.
 using Chosen = std::function<Status(Console&)>;

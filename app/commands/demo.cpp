@@ -15,6 +15,13 @@
 namespace alltact {
 namespace {
 
+struct DemoOptions {
+  Path folder;
+  bool studio = false;  ///< the finger alone, and the Studio instead of this program
+  std::uint64_t seed = 1;
+  int threads = 1;
+};
+
 namespace fs = std::filesystem;
 
 /// One of the two methods, each with a finger of its own.
@@ -249,8 +256,8 @@ Status become_studio(const Path& finger) {
                en::say("installing alltact-studio")};
 }
 
-}  // namespace
-
+/// A full day of a simulated finger, with its measurements against the truth. With `studio` it
+/// returns only where that cannot be opened.
 Status run_demo(const DemoOptions& options, Console& console) {
   if (!options.studio) return Demo(options, console).run();
   const SavedPlatform platform;
@@ -258,6 +265,8 @@ Status run_demo(const DemoOptions& options, Console& console) {
   platform.restore();
   return made ? become_studio(options.folder / "finger") : made;
 }
+
+}  // namespace
 
 void add_demo(CLI::App& program, Chosen& chosen) {
   auto options = std::make_shared<DemoOptions>();

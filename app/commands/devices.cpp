@@ -8,6 +8,11 @@
 namespace alltact {
 namespace {
 
+struct DevicesOptions {
+  bool details = false;       ///< every format and control, too
+  bool learn_button = false;  ///< waits for a button and prints how to recognise it
+};
+
 using Json = Console::Json;
 
 constexpr int kTimeout_ms = 20'000;
@@ -117,8 +122,7 @@ Status learn(const std::vector<FoundHid>& hids, Console& console) {
   return {};
 }
 
-}  // namespace
-
+/// Lists cameras and HID devices, with the problems of those that cannot be used.
 Status run_devices(const DevicesOptions& options, Console& console) {
   const auto cameras = list_cameras(kernel_calls(), true);
   const auto hids = list_hids();
@@ -141,6 +145,8 @@ Status run_devices(const DevicesOptions& options, Console& console) {
   if (hids.empty()) console.say("No HID device (pedal, dimmer) was found.");
   return options.learn_button ? learn(hids, console) : Status();
 }
+
+}  // namespace
 
 void add_devices(CLI::App& program, Chosen& chosen) {
   auto options = std::make_shared<DevicesOptions>();

@@ -18,6 +18,15 @@
 namespace alltact {
 namespace {
 
+struct ExperimentsOptions {
+  std::vector<std::string> names;  ///< none: all
+  std::optional<Path> folder;  ///< for the fingers and experiments.json; empty: nothing is stored
+  std::optional<Path> report;  ///< NAME.html; NAME.pdf goes next to it
+  bool fresh = false;          ///< no finger of an earlier run, and none for a later one
+  std::uint64_t seed = 1;
+  int threads = 2;
+};
+
 constexpr const char* kExperimentsFile = "experiments.json";
 
 double seconds_of(const StopWatch& watch) {
@@ -177,8 +186,8 @@ Status check_report(const Path& file) {
   return drawing ? Status() : drawing.error();
 }
 
-}  // namespace
-
+/// Repeats the source paper's experiments in simulation and prints the results next to the paper's.
+/// Error: no such experiment; one of them gave no figure.
 Status run_experiments(const ExperimentsOptions& options, Console& console) {
   const auto chosen = experiments_named(options.names);
   if (!chosen) return chosen.error();
@@ -206,6 +215,8 @@ Status run_experiments(const ExperimentsOptions& options, Console& console) {
   console.say(fmt::format("\nThese figures are in {}.", file.string()));
   return {};
 }
+
+}  // namespace
 
 void add_experiments(CLI::App& program, Chosen& chosen) {
   auto options = std::make_shared<ExperimentsOptions>();

@@ -1,10 +1,17 @@
 #include "app/commands/commands.h"
 #include "app/console/command_names.h"
+#include "calibration/export/export_finger.h"
 
 #include <fmt/format.h>
 
 namespace alltact {
 namespace {
+
+struct ExportOptions {
+  Path finger;
+  Path folder;
+  std::vector<ExportForm> forms;
+};
 
 std::string words_with(std::string_view divider, std::string (*word)(const ExportFormInfo&)) {
   std::string words;
@@ -13,8 +20,7 @@ std::string words_with(std::string_view divider, std::string (*word)(const Expor
   return words;
 }
 
-}  // namespace
-
+/// Writes a finger's calibration for other programs.
 Status run_export(const ExportOptions& options, Console& console) {
   const auto finger = open_finger(options.finger, console);
   if (!finger) return finger.error();
@@ -34,6 +40,8 @@ Status run_export(const ExportOptions& options, Console& console) {
   }
   return status;
 }
+
+}  // namespace
 
 void add_export(CLI::App& program, Chosen& chosen) {
   auto options = std::make_shared<ExportOptions>();

@@ -11,6 +11,22 @@
 namespace alltact {
 namespace {
 
+struct ForceOptions {
+  Path finger;
+  std::vector<Path> tables;
+  std::optional<ForceSplit> split;
+  std::optional<ForceKind> kind;
+  bool is_kind_given = false;  ///< else, with `again`, as before; kind is empty for "auto"
+  std::optional<double> creep_s;
+  bool again = false;  ///< with the finger's stored table, split, kind and creep
+  bool undo = false;   ///< back to the model from before
+  int threads = 1;
+  std::vector<Path> recording;  ///< a table is made of it, and of:
+  Path gauge, output;           ///< gauge: empty where it lies next to the recording
+  GaugeFileOptions gauge_file;
+  CollectOptions collect;
+};
+
 constexpr std::array<const char*, 3> kAxisNames{"fx", "fy", "fz"};
 
 std::string newtons(const Eigen::VectorXd& values) {
@@ -151,8 +167,7 @@ Status run_undo_force(const Path& folder, Console& console) {
   return {};
 }
 
-}  // namespace
-
+/// Trains a finger's force model, or collects a table for that.
 Status run_force(const ForceOptions& options, Console& console) {
   if (options.undo) return run_undo_force(options.finger, console);
   if (!options.recording.empty()) return run_collect_force(options, console);
@@ -175,6 +190,8 @@ Status run_force(const ForceOptions& options, Console& console) {
   print_training(*trained, console);
   return {};
 }
+
+}  // namespace
 
 void add_force(CLI::App& program, Chosen& chosen) {
   auto options = std::make_shared<ForceOptions>();

@@ -17,6 +17,16 @@
 namespace alltact {
 namespace {
 
+struct GripperOptions {
+  Path gripper;  ///< gripper.yaml or its folder
+  std::optional<double> motor_turns;
+  std::optional<double> motor_sd_turns;  ///< empty: gripper.yaml's
+  std::optional<Path> motor_log;         ///< instead of motor_turns, with results
+  std::vector<Path> results;             ///< none, or results.jsonl of the first and second finger
+  double tolerance_ms = 20;
+  Eigen::Vector3d up = {0, 0, -1};  ///< in the gripper's frame
+};
+
 constexpr double kDegPerRad = 180.0 / M_PI;
 
 Console::Json vector_json(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
@@ -254,8 +264,9 @@ Status print_recorded(const Gripper& gripper, const RecordedPose& pose_of,
   return {};
 }
 
-}  // namespace
-
+/// Prints the reach of a gripper's linkages, its cameras' poses for a motor position, and the
+/// object between the fingers from recordings of both. Error: out of reach; no frames that belong
+/// together.
 Status run_gripper(const GripperOptions& options, Console& console) {
   std::vector<Message> warnings;
   const auto gripper = Gripper::load(options.gripper, &warnings);
@@ -281,6 +292,8 @@ Status run_gripper(const GripperOptions& options, Console& console) {
   return print_recorded(*gripper, RecordedPose(*gripper, options, std::move(log)), options,
                         console);
 }
+
+}  // namespace
 
 void add_gripper(CLI::App& program, Chosen& chosen) {
   auto options = std::make_shared<GripperOptions>();

@@ -3,12 +3,24 @@
 #include "app/console/flags.h"
 #include "calibration/lens/board_views.h"
 #include "calibration/lens/calibrate_lens.h"
+#include "core/camera/camera.h"
 #include "core/open/open_source.h"
 
 #include <fmt/format.h>
 
 namespace alltact {
 namespace {
+
+struct LensOptions {
+  std::vector<Path> inputs;
+  Board board;  ///< only columns, rows and square_mm; the rest is in the settings
+  LensSettings settings;
+  Orientation orientation = Orientation::kNone;
+  std::optional<FlatPort> port;           ///< the finger's window, where the board had none
+  std::optional<double> known_length_mm;  ///< on the finger, with `known_ends`
+  std::vector<double> known_ends_px;      ///< u1 v1 u2 v2 in the image after orientation
+  Path camera;
+};
 
 void print_views(const LensViews& found, const LensCalibration& done, Console& console) {
   console.say(fmt::format("{:<24} {:>7} {:>9} {:>9} {:>9}", "view", "corners", "outliers",
@@ -185,8 +197,7 @@ Status check_scale(const LensOptions& options, const CameraParameters& parameter
   return {};
 }
 
-}  // namespace
-
+/// Calibrates a lens from images of a board and writes CAMERA.yaml.
 Status run_lens(const LensOptions& options, Console& console) {
   const Job& job = console.job();
   SourceOptions how;
@@ -228,8 +239,6 @@ Status run_lens(const LensOptions& options, Console& console) {
   console.answer()["camera"] = options.camera.string();
   return {};
 }
-
-namespace {
 
 /// Throws CLI::ValidationError.
 std::vector<double> four_numbers(const char* flag, const std::string& text) {

@@ -585,6 +585,9 @@ void add_reconstruct(CLI::App& program, Chosen& chosen) {
   });
 }
 
+namespace {
+
+/// Merges the parts of a reconstruction (parts.h).
 Status run_merge(const std::vector<Path>& folders, Console& console) {
   const auto merged = merge_parts(folders);
   if (!merged) return merged.error();
@@ -596,6 +599,8 @@ Status run_merge(const std::vector<Path>& folders, Console& console) {
   answer["results"] = merged->results.string();
   return {};
 }
+
+}  // namespace
 
 void add_merge(CLI::App& program, Chosen& chosen) {
   auto folders = std::make_shared<std::vector<Path>>();

@@ -8,9 +8,11 @@
 #include "core/base/result.h"
 #include "core/devices/hid_button.h"
 #include "core/devices/led_dimmer.h"
+#include "core/devices/open_gauge.h"
 #include "core/image/image_file.h"
 #include "core/open/open_source.h"
 #include "core/recording/journal.h"
+#include "core/recording/recorder.h"
 #include "core/sources/file_source.h"
 #include "core/sources/source.h"
 
@@ -22,6 +24,27 @@
 
 namespace alltact {
 namespace {
+
+/// The light that a recording is made with.
+struct LightOptions {
+  std::string device;  ///< empty: none is set
+  std::string control;
+  double brightness = 0;
+};
+
+struct RecordOptions {
+  std::vector<Path> inputs;
+  Path output;  ///< a video; or, with a button, the name pattern of images (png)
+  std::optional<LearntButton> button;
+  LightOptions light;
+  RecorderSettings recorder;
+  Pace pace = Pace::kRecorded;
+  std::uint64_t seed = 1;
+  int threads = 1;
+  std::optional<std::uint64_t> frames;  ///< ends after so many
+  std::optional<double> seconds;        ///< ends after so much recorded time
+  GaugeChoice gauge;                    ///< read in parallel; none where its name is empty
+};
 
 /// One thread asks; the presses arrive on another.
 class ButtonPresses {
@@ -367,8 +390,9 @@ void check_output(const RecordOptions& options) {
     throw CLI::ValidationError("--seconds", "images have no length; --frames counts them");
 }
 
-}  // namespace
-
+/// Records a source until it ends or is stopped; with a button, between one press and the next, or
+/// one image a press. Error: frames were lost on this computer, or could not be read; the recording
+/// had to end; the button or the light is missing or not allowed.
 Status run_record(const RecordOptions& options, Console& console) {
   SourceOptions how;
   how.pace = options.pace;
@@ -398,6 +422,8 @@ Status run_record(const RecordOptions& options, Console& console) {
   console.answer()["unreadable"] = reading.unreadable();
   return status ? all_was_readable(reading, options) : status;
 }
+
+}  // namespace
 
 void add_record(CLI::App& program, Chosen& chosen) {
   auto options = std::make_shared<RecordOptions>();

@@ -28,6 +28,15 @@
 namespace alltact {
 namespace {
 
+struct ServeOptions {
+  Path finger;
+  std::vector<Path> inputs;
+  std::optional<Path> socket;  ///< empty: the default one (stream_server.h)
+  /// The settings to measure with, as the finger's folder has them now.
+  std::function<Result<PipelineSettings>()> settings;
+  bool schema = false;  ///< prints the format instead
+};
+
 struct ServedSource {
   std::string name;
   double frames_per_s = 30;
@@ -237,8 +246,8 @@ Status print_schema(Console& console) {
   return {};
 }
 
-}  // namespace
-
+/// Measures a live source and sends the results to other programs, until it ends or is stopped.
+/// Errors: the socket is taken or others could reach it; the finger is not calibrated.
 Status run_serve(const ServeOptions& options, Console& console) {
   const auto snapshot = open_finger(options.finger, console);
   if (!snapshot) return snapshot.error();
@@ -276,6 +285,8 @@ Status run_serve(const ServeOptions& options, Console& console) {
   answer["lost"] = counts.lost;
   return {};
 }
+
+}  // namespace
 
 void add_serve(CLI::App& program, Chosen& chosen) {
   auto options = std::make_shared<ServeOptions>();

@@ -17,6 +17,14 @@
 namespace alltact {
 namespace {
 
+struct SimulateFitOptions {
+  Path finger;
+  std::vector<Path> presses;    ///< empty: those stored with the finger
+  std::vector<Path> untouched;  ///< empty: the finger's own reference
+  double ball_radius_mm = 0;    ///< 0: that of the finger's presses
+  Path scene;                   ///< to be written
+};
+
 constexpr const char* kTruthFile = "truth.json";
 constexpr const char* kVideoFile = "frames.mkv";
 constexpr int kTimedFrames = 15;
@@ -161,6 +169,164 @@ Status write_video(const SimulateOptions& options, const Plan& plan, int count,
   return status && writer ? writer->finish() : status;
 }
 
+/// Prints the time of every effect of the simulation on this computer.
+Status run_simulate_costs(int frames, Console& console) {
+  const auto costs = measure_effect_costs(frames, console.job());
+  if (!costs) return costs.error();
+  console.say("Time of each effect per frame, ms per million pixels, one thread:");
+  Console::Json& list = console.answer()["costs"] = Console::Json::array();
+  for (const EffectCost& cost : *costs) {
+    const std::string_view stage = to_string(cost.kind->stage);
+    console.say(
+        fmt::format("{:<20} {:<10} {:9.3f}", cost.kind->name, stage, cost.ms_per_megapixel));
+    list.push_back({{"effect", cost.kind->name},
+                    {"stage", stage},
+                    {"example", cost.kind->example},
+                    {"ms_per_megapixel", cost.ms_per_megapixel}});
+  }
+  return {};
+}
+
+Console::Json effect_json(const EffectDescription& effect) {
+  Console::Json json{{"name", effect.kind->name},         {"stage", to_string(effect.kind->stage)},
+                     {"what", effect.sentence.english()}, {"several", effect.is_repeatable},
+                     {"needs", effect.kind->needs},       {"example", effect.kind->example}};
+  Console::Json& parameters = json["parameters"] = Console::Json::array();
+  for (const EffectParameter& parameter : effect.parameters)
+    parameters.push_back({{"key", parameter.key},
+                          {"values", parameter.values},
+                          {"in_example", parameter.in_example}});
+  return json;
+}
+
+void say_effect(const EffectDescription& effect, Console& console) {
+  const EffectKind& kind = *effect.kind;
+  console.say(
+      fmt::format("{} ({}): {}.", kind.name, to_string(kind.stage), effect.sentence.english()));
+  if (effect.is_repeatable) console.say("Can be used several times in a scene.");
+  if (!kind.needs.empty())
+    console.say(fmt::format("The example also needs: {}.", fmt::join(kind.needs, ", ")));
+  for (const EffectParameter& parameter : effect.parameters)
+    console.say(fmt::format("  {:<16} {}{}", parameter.key, parameter.values,
+                            parameter.in_example ? "" : "; optional"));
+  console.say(fmt::format("  - {{use: {}{}{}}}", kind.name, kind.example.empty() ? "" : ", ",
+                          kind.example));
+}
+
+/// Lists the effects, or the parameters of one. Error: there is no such effect.
+Status run_simulate_effects(const std::string& name, Console& console) {
+  const auto effects = describe_effects();
+  if (name.empty()) {
+    Console::Json& list = console.answer()["effects"] = Console::Json::array();
+    for (const EffectDescription& effect : effects) {
+      console.say(fmt::format("{:<20} {:<10} {}", effect.kind->name, to_string(effect.kind->stage),
+                              effect.sentence.english()));
+      list.push_back(effect_json(effect));
+    }
+    return {};
+  }
+  std::vector<std::string> names;
+  for (const EffectDescription& effect : effects) {
+    if (effect.kind->name == name) {
+      say_effect(effect, console);
+      console.answer() = effect_json(effect);
+      return {};
+    }
+    names.push_back(effect.kind->name);
+  }
+  std::sort(names.begin(), names.end());
+  return Error{en::say("there is no effect '{}'", printable(name)), "", one_of(names, name)};
+}
+
+// `alltact simulate --fit`: the scene whose frames match a real finger's.
+
+Console::Json figures_json(const std::vector<TwinFigure>& figures) {
+  Console::Json list = Console::Json::array();
+  for (const TwinFigure& figure : figures) {
+    Console::Json one{
+        {"key", figure.key}, {"what", figure.what.english()}, {"value", figure.value}};
+    if (figure.sd) one["sd"] = *figure.sd;
+    if (!figure.remark.empty()) one["remark"] = figure.remark.english();
+    list.push_back(std::move(one));
+  }
+  return list;
+}
+
+Console::Json residuals_json(const std::vector<TwinResidual>& residuals) {
+  Console::Json list = Console::Json::array();
+  for (const TwinResidual& residual : residuals) {
+    Console::Json rings = Console::Json::array();
+    for (const TwinRing& ring : residual.profile)
+      rings.push_back({{"radius_px", ring.radius_px},
+                       {"real", ring.real},
+                       {"twin", ring.twin},
+                       {"se", ring.se}});
+    list.push_back({{"press", residual.press},
+                    {"reach_px", residual.reach_px},
+                    {"rms", residual.rms},
+                    {"profile_rms", residual.profile_rms},
+                    {"ratio_rms", residual.ratio_rms},
+                    {"ratio_profile_rms", residual.ratio_profile_rms},
+                    {"profile", std::move(rings)}});
+  }
+  return list;
+}
+
+void print_figures(const Twin& twin, Console& console) {
+  console.say(fmt::format("{:<52} {:>12} {:>10}", "what", "fitted", "+- sd"));
+  for (const TwinFigure& figure : twin.figures)
+    console.say(fmt::format("{:<52} {:>12.5g} {:>10}{}", figure.what.english(), figure.value,
+                            figure.sd ? fmt::format("{:.2g}", *figure.sd) : "-",
+                            figure.remark.empty() ? "" : "  " + figure.remark.english()));
+}
+
+void print_residuals(const Twin& twin, Console& console) {
+  console.say("");
+  console.say("Difference between the images of the twin and the real ones, grey levels RMS:");
+  console.say(fmt::format("untouched face {:.2f}", twin.untouched_rms));
+  console.say(fmt::format("{:<24} {:>10} {:>8} {:>8} {:>12} {:>12}", "press", "within px", "pixels",
+                          "rings", "pixels*", "rings*"));
+  for (const TwinResidual& one : twin.residuals)
+    console.say(fmt::format("{:<24} {:>10.0f} {:>8.2f} {:>8.2f} {:>12.2f} {:>12.2f}", one.press,
+                            one.reach_px, one.rms, one.profile_rms, one.ratio_rms,
+                            one.ratio_profile_rms));
+  console.say(
+      "* real image divided by the real untouched image, times the twin's untouched image: without "
+      "what the lamps cannot match");
+}
+
+/// Writes the scene whose frames match a real finger's (twin.h).
+Status run_simulate_fit(const SimulateFitOptions& options, Console& console) {
+  const auto finger = open_finger(options.finger, console);
+  if (!finger) return finger.error();
+  TwinFiles files;
+  files.presses.files = options.presses;
+  files.untouched = options.untouched;
+  files.press_set.ball_radius_mm = options.ball_radius_mm;
+  const auto measured = measure_for_twin(**finger, files, Job(console.job(), 0.0, 0.1));
+  if (!measured) return measured.error();
+  for (const Message& reason : measured->left_out)
+    console.warn(fmt::format("Left out: {}", reason));
+  const auto twin = fit_twin(measured->input, Job(console.job(), 0.1, 1.0));
+  if (!twin) return twin.error();
+  if (const Status written = write_file_atomically(options.scene, twin->yaml); !written)
+    return written.error();
+  print_figures(*twin, console);
+  print_residuals(*twin, console);
+  for (const Message& remark : twin->remarks) console.say(fmt::format("Remark: {}.", remark));
+  console.say(
+      fmt::format("The twin's scene is {}: frame 0 is untouched, the others show its presses.",
+                  options.scene.string()));
+  Console::Json& answer = console.answer();
+  answer["scene"] = options.scene.string();
+  answer["figures"] = figures_json(twin->figures);
+  answer["untouched_rms"] = twin->untouched_rms;
+  answer["presses"] = residuals_json(twin->residuals);
+  answer["left_out"] = in_english(measured->left_out);
+  answer["remarks"] = in_english(twin->remarks);
+  return {};
+}
+
 }  // namespace
 
 Status run_simulate(const SimulateOptions& options, Console& console) {
@@ -208,23 +374,6 @@ Status run_simulate(const SimulateOptions& options, Console& console) {
   console.answer()["folder"] = options.folder.string();
   console.answer()["effects"] = plan->effects();
   console.answer()["finger"] = truth["finger"];
-  return {};
-}
-
-Status run_simulate_costs(int frames, Console& console) {
-  const auto costs = measure_effect_costs(frames, console.job());
-  if (!costs) return costs.error();
-  console.say("Time of each effect per frame, ms per million pixels, one thread:");
-  Console::Json& list = console.answer()["costs"] = Console::Json::array();
-  for (const EffectCost& cost : *costs) {
-    const std::string_view stage = to_string(cost.kind->stage);
-    console.say(
-        fmt::format("{:<20} {:<10} {:9.3f}", cost.kind->name, stage, cost.ms_per_megapixel));
-    list.push_back({{"effect", cost.kind->name},
-                    {"stage", stage},
-                    {"example", cost.kind->example},
-                    {"ms_per_megapixel", cost.ms_per_megapixel}});
-  }
   return {};
 }
 
@@ -326,151 +475,5 @@ void add_simulate(CLI::App& program, Chosen& chosen) {
 }
 
 // `alltact simulate --effects [NAME]`.
-
-namespace {
-
-Console::Json effect_json(const EffectDescription& effect) {
-  Console::Json json{{"name", effect.kind->name},         {"stage", to_string(effect.kind->stage)},
-                     {"what", effect.sentence.english()}, {"several", effect.is_repeatable},
-                     {"needs", effect.kind->needs},       {"example", effect.kind->example}};
-  Console::Json& parameters = json["parameters"] = Console::Json::array();
-  for (const EffectParameter& parameter : effect.parameters)
-    parameters.push_back({{"key", parameter.key},
-                          {"values", parameter.values},
-                          {"in_example", parameter.in_example}});
-  return json;
-}
-
-void say_effect(const EffectDescription& effect, Console& console) {
-  const EffectKind& kind = *effect.kind;
-  console.say(
-      fmt::format("{} ({}): {}.", kind.name, to_string(kind.stage), effect.sentence.english()));
-  if (effect.is_repeatable) console.say("Can be used several times in a scene.");
-  if (!kind.needs.empty())
-    console.say(fmt::format("The example also needs: {}.", fmt::join(kind.needs, ", ")));
-  for (const EffectParameter& parameter : effect.parameters)
-    console.say(fmt::format("  {:<16} {}{}", parameter.key, parameter.values,
-                            parameter.in_example ? "" : "; optional"));
-  console.say(fmt::format("  - {{use: {}{}{}}}", kind.name, kind.example.empty() ? "" : ", ",
-                          kind.example));
-}
-
-}  // namespace
-
-Status run_simulate_effects(const std::string& name, Console& console) {
-  const auto effects = describe_effects();
-  if (name.empty()) {
-    Console::Json& list = console.answer()["effects"] = Console::Json::array();
-    for (const EffectDescription& effect : effects) {
-      console.say(fmt::format("{:<20} {:<10} {}", effect.kind->name, to_string(effect.kind->stage),
-                              effect.sentence.english()));
-      list.push_back(effect_json(effect));
-    }
-    return {};
-  }
-  std::vector<std::string> names;
-  for (const EffectDescription& effect : effects) {
-    if (effect.kind->name == name) {
-      say_effect(effect, console);
-      console.answer() = effect_json(effect);
-      return {};
-    }
-    names.push_back(effect.kind->name);
-  }
-  std::sort(names.begin(), names.end());
-  return Error{en::say("there is no effect '{}'", printable(name)), "", one_of(names, name)};
-}
-
-// `alltact simulate --fit`: the scene whose frames match a real finger's.
-
-namespace {
-
-Console::Json figures_json(const std::vector<TwinFigure>& figures) {
-  Console::Json list = Console::Json::array();
-  for (const TwinFigure& figure : figures) {
-    Console::Json one{
-        {"key", figure.key}, {"what", figure.what.english()}, {"value", figure.value}};
-    if (figure.sd) one["sd"] = *figure.sd;
-    if (!figure.remark.empty()) one["remark"] = figure.remark.english();
-    list.push_back(std::move(one));
-  }
-  return list;
-}
-
-Console::Json residuals_json(const std::vector<TwinResidual>& residuals) {
-  Console::Json list = Console::Json::array();
-  for (const TwinResidual& residual : residuals) {
-    Console::Json rings = Console::Json::array();
-    for (const TwinRing& ring : residual.profile)
-      rings.push_back({{"radius_px", ring.radius_px},
-                       {"real", ring.real},
-                       {"twin", ring.twin},
-                       {"se", ring.se}});
-    list.push_back({{"press", residual.press},
-                    {"reach_px", residual.reach_px},
-                    {"rms", residual.rms},
-                    {"profile_rms", residual.profile_rms},
-                    {"ratio_rms", residual.ratio_rms},
-                    {"ratio_profile_rms", residual.ratio_profile_rms},
-                    {"profile", std::move(rings)}});
-  }
-  return list;
-}
-
-void print_figures(const Twin& twin, Console& console) {
-  console.say(fmt::format("{:<52} {:>12} {:>10}", "what", "fitted", "+- sd"));
-  for (const TwinFigure& figure : twin.figures)
-    console.say(fmt::format("{:<52} {:>12.5g} {:>10}{}", figure.what.english(), figure.value,
-                            figure.sd ? fmt::format("{:.2g}", *figure.sd) : "-",
-                            figure.remark.empty() ? "" : "  " + figure.remark.english()));
-}
-
-void print_residuals(const Twin& twin, Console& console) {
-  console.say("");
-  console.say("Difference between the images of the twin and the real ones, grey levels RMS:");
-  console.say(fmt::format("untouched face {:.2f}", twin.untouched_rms));
-  console.say(fmt::format("{:<24} {:>10} {:>8} {:>8} {:>12} {:>12}", "press", "within px", "pixels",
-                          "rings", "pixels*", "rings*"));
-  for (const TwinResidual& one : twin.residuals)
-    console.say(fmt::format("{:<24} {:>10.0f} {:>8.2f} {:>8.2f} {:>12.2f} {:>12.2f}", one.press,
-                            one.reach_px, one.rms, one.profile_rms, one.ratio_rms,
-                            one.ratio_profile_rms));
-  console.say(
-      "* real image divided by the real untouched image, times the twin's untouched image: without "
-      "what the lamps cannot match");
-}
-
-}  // namespace
-
-Status run_simulate_fit(const SimulateFitOptions& options, Console& console) {
-  const auto finger = open_finger(options.finger, console);
-  if (!finger) return finger.error();
-  TwinFiles files;
-  files.presses.files = options.presses;
-  files.untouched = options.untouched;
-  files.press_set.ball_radius_mm = options.ball_radius_mm;
-  const auto measured = measure_for_twin(**finger, files, Job(console.job(), 0.0, 0.1));
-  if (!measured) return measured.error();
-  for (const Message& reason : measured->left_out)
-    console.warn(fmt::format("Left out: {}", reason));
-  const auto twin = fit_twin(measured->input, Job(console.job(), 0.1, 1.0));
-  if (!twin) return twin.error();
-  if (const Status written = write_file_atomically(options.scene, twin->yaml); !written)
-    return written.error();
-  print_figures(*twin, console);
-  print_residuals(*twin, console);
-  for (const Message& remark : twin->remarks) console.say(fmt::format("Remark: {}.", remark));
-  console.say(
-      fmt::format("The twin's scene is {}: frame 0 is untouched, the others show its presses.",
-                  options.scene.string()));
-  Console::Json& answer = console.answer();
-  answer["scene"] = options.scene.string();
-  answer["figures"] = figures_json(twin->figures);
-  answer["untouched_rms"] = twin->untouched_rms;
-  answer["presses"] = residuals_json(twin->residuals);
-  answer["left_out"] = in_english(measured->left_out);
-  answer["remarks"] = in_english(twin->remarks);
-  return {};
-}
 
 }  // namespace alltact

@@ -31,6 +31,21 @@
 namespace alltact {
 namespace {
 
+struct StudyCommandOptions {
+  /// None: the demonstration's, simulated; with `simulating` the scene (none: demo_presses).
+  std::vector<Path> fingers;
+  std::optional<Path> folder;  ///< stores the study; empty: nothing is stored
+  bool quick = false;          ///< one setting at a time, a few frames
+  bool calibrating = false;    ///< instead: cost and benefit of presses, frames and methods
+  bool simulating = false;     ///< instead: cost and influence of each effect of a scene
+  bool scaling = false;        ///< instead: time and memory over the size of the measured data
+  std::optional<double> max_time_ms, max_error_mm, position_mm;
+  bool save = false;  ///< stores the presets with the finger
+  std::string use;    ///< settings that the finger uses from now on (study.cpp); empty: as before
+  std::uint64_t seed = 1;
+  int threads = 1;
+};
+
 /// Program, date, machine with its power, seed.
 [[nodiscard]] Console::Json study_provenance(const StudyCommandOptions& options);
 
@@ -486,8 +501,8 @@ class StudyCommand {
   Console& console_;
 };
 
-}  // namespace
-
+/// Prints the time and the accuracy of every setting. An incomplete study in the folder is
+/// continued. Error: those of study_accuracy(); nothing is within the given limits.
 Status run_study(const StudyCommandOptions& options, Console& console) {
   set_opencv_threads(options.threads);
   if (options.calibrating) return run_calibrating_study(options, console);
@@ -501,6 +516,8 @@ Status run_study(const StudyCommandOptions& options, Console& console) {
   if (!passing) return passing.error();
   return StudyCommand(options, passing->path(), console).run();
 }
+
+}  // namespace
 
 void add_study(CLI::App& program, Chosen& chosen) {
   auto options = std::make_shared<StudyCommandOptions>();

@@ -9,7 +9,14 @@
 #include <opencv2/imgcodecs.hpp>
 
 namespace alltact {
+namespace {
 
+struct ThumbnailOptions {
+  Path file, output;
+  int size_px = 256;  ///< of the longer side
+};
+
+/// Writes a thumbnail of a depth map or a mesh for file managers (thumbnail.h).
 Status run_thumbnail(const ThumbnailOptions& options, Console& console) {
   const auto image = thumbnail_of(options.file, options.size_px);
   if (!image) return image.error();
@@ -22,6 +29,8 @@ Status run_thumbnail(const ThumbnailOptions& options, Console& console) {
   console.answer()["picture"] = options.output.string();
   return {};
 }
+
+}  // namespace
 
 void add_thumbnail(CLI::App& program, Chosen& chosen) {
   auto options = std::make_shared<ThumbnailOptions>();

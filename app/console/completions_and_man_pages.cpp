@@ -118,16 +118,7 @@ std::vector<OptionInfo> options_of(const CLI::App& command) {
   return all;
 }
 
-}  // namespace
-
-Result<std::string> completions(const CLI::App& program, std::string_view shell) {
-  if (shell == "bash") return bash_completions(program);
-  if (shell == "zsh") return zsh_completions(program);
-  if (shell == "fish") return fish_completions(program);
-  return Error{en::say("there are no completions for this shell"), std::string(shell),
-               en::say("bash, zsh or fish")};
-}
-
+/// A text for a shell, as one word between single quotes.
 std::string single_quoted(std::string_view text) {
   std::string quoted(1, '\'');
   for (const char letter : text) {
@@ -137,13 +128,12 @@ std::string single_quoted(std::string_view text) {
   return quoted + "'";
 }
 
+/// "_alltact_studio" for alltact-studio, as functions are named.
 std::string function_name(const CLI::App& program) {
   std::string name = "_" + program.get_name();
   std::replace(name.begin(), name.end(), '-', '_');
   return name;
 }
-
-namespace {
 
 /// Literal text: no letter has a meaning for roff.
 std::string escaped(std::string_view text) {
@@ -245,37 +235,6 @@ std::string footer_of(const CLI::App& program) {
          "\n";
 }
 
-}  // namespace
-
-std::string man_page(const CLI::App& program, const std::string& version, const CLI::App* command) {
-  const std::string& name = program.get_name();
-  const CLI::App& subject = command != nullptr ? *command : program;
-  const std::string page = command != nullptr ? name + "-" + command->get_name() : name;
-  const std::string called = command != nullptr ? name + " " + command->get_name() : name;
-  const bool has_commands = command == nullptr && !program.get_subcommands({}).empty();
-  const auto options = options_of(subject);
-  std::string what = subject.get_description();
-  if (const std::size_t colon = what.find(": "); command == nullptr && colon != std::string::npos)
-    what = what.substr(colon + 2);
-  while (what.ends_with('.')) what.pop_back();
-  std::string text = fmt::format(".TH {} 1 \"\" \"AllTact {}\" \"User Commands\"\n.nh\n.ad l\n",
-                                 escaped(upper(page)), escaped(version));
-  text +=
-      fmt::format(".SH NAME\n{} \\- {}\n.SH SYNOPSIS\n", escaped(page), escaped(lower_first(what)));
-  text += has_commands
-              ? fmt::format("\\fB{}\\fR \\fICOMMAND\\fR [\\fIoptions\\fR]\n", escaped(name))
-              : synopsis_of(called, options);
-  text += ".SH DESCRIPTION\n" + escaped(subject.get_description()) + "\n";
-  text += commands_of(subject) + sections_of(options) + footer_of(program);
-  const std::string other = name == "alltact" ? "alltact-studio" : "alltact";
-  text += fmt::format(".SH SEE ALSO\n{}\\fB{}\\fR(1)\n",
-                      command != nullptr ? fmt::format("\\fB{}\\fR(1), ", escaped(name)) : "",
-                      escaped(other));
-  return text;
-}
-
-namespace {
-
 /// Appended to a command's table: offers the words that match the typed text.
 constexpr const char* kOffer = R"(
   case $kind in
@@ -344,8 +303,6 @@ std::string names_of(const std::vector<const CLI::App*>& commands) {
   return names;
 }
 
-}  // namespace
-
 std::string bash_completions(const CLI::App& program) {
   const std::string& name = program.get_name();
   const std::string function = function_name(program);
@@ -376,8 +333,6 @@ std::string bash_completions(const CLI::App& program) {
       "{2}\n{3}}}\ncomplete -F {1} {0}\n",
       name, function, chosen, kOffer);
 }
-
-namespace {
 
 std::string escaped(std::string_view text, std::string_view letters) {
   std::string result;
@@ -441,8 +396,6 @@ std::string arguments_of(const CLI::App& command) {
   return "      _arguments -s -S \\\n" + specs.substr(0, specs.size() - 3) + "\n";
 }
 
-}  // namespace
-
 std::string zsh_completions(const CLI::App& program) {
   const std::string& name = program.get_name();
   const std::string function = function_name(program);
@@ -470,8 +423,6 @@ std::string zsh_completions(const CLI::App& program) {
       "\"$@\"\n",
       head, function, list, own, branches);
 }
-
-namespace {
 
 constexpr const char* kListFunction = R"(
 function __alltact_list
@@ -513,8 +464,6 @@ std::string lines_of(const CLI::App& command, const std::string& begin) {
   return lines;
 }
 
-}  // namespace
-
 std::string fish_completions(const CLI::App& program) {
   const std::string& name = program.get_name();
   std::string text = fmt::format("# Completions of {0} for fish.\ncomplete -c {0} -f\n", name);
@@ -528,6 +477,43 @@ std::string fish_completions(const CLI::App& program) {
   for (const CLI::App* command : commands)
     text += lines_of(*command, fmt::format("complete -c {} -n '__fish_seen_subcommand_from {}'",
                                            name, command->get_name()));
+  return text;
+}
+
+}  // namespace
+
+Result<std::string> completions(const CLI::App& program, std::string_view shell) {
+  if (shell == "bash") return bash_completions(program);
+  if (shell == "zsh") return zsh_completions(program);
+  if (shell == "fish") return fish_completions(program);
+  return Error{en::say("there are no completions for this shell"), std::string(shell),
+               en::say("bash, zsh or fish")};
+}
+
+std::string man_page(const CLI::App& program, const std::string& version, const CLI::App* command) {
+  const std::string& name = program.get_name();
+  const CLI::App& subject = command != nullptr ? *command : program;
+  const std::string page = command != nullptr ? name + "-" + command->get_name() : name;
+  const std::string called = command != nullptr ? name + " " + command->get_name() : name;
+  const bool has_commands = command == nullptr && !program.get_subcommands({}).empty();
+  const auto options = options_of(subject);
+  std::string what = subject.get_description();
+  if (const std::size_t colon = what.find(": "); command == nullptr && colon != std::string::npos)
+    what = what.substr(colon + 2);
+  while (what.ends_with('.')) what.pop_back();
+  std::string text = fmt::format(".TH {} 1 \"\" \"AllTact {}\" \"User Commands\"\n.nh\n.ad l\n",
+                                 escaped(upper(page)), escaped(version));
+  text +=
+      fmt::format(".SH NAME\n{} \\- {}\n.SH SYNOPSIS\n", escaped(page), escaped(lower_first(what)));
+  text += has_commands
+              ? fmt::format("\\fB{}\\fR \\fICOMMAND\\fR [\\fIoptions\\fR]\n", escaped(name))
+              : synopsis_of(called, options);
+  text += ".SH DESCRIPTION\n" + escaped(subject.get_description()) + "\n";
+  text += commands_of(subject) + sections_of(options) + footer_of(program);
+  const std::string other = name == "alltact" ? "alltact-studio" : "alltact";
+  text += fmt::format(".SH SEE ALSO\n{}\\fB{}\\fR(1)\n",
+                      command != nullptr ? fmt::format("\\fB{}\\fR(1), ", escaped(name)) : "",
+                      escaped(other));
   return text;
 }
 

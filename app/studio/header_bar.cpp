@@ -37,8 +37,7 @@ FingerSummary::FingerSummary(const LiveSession& session, const Workspace& work, 
       symbol_(new QLabel),
       text_(new ElidedLabel),
       due_(new QPushButton) {
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(0, 0, 0, 0);
+  auto* row = without_margins(new QHBoxLayout(this));
   row->addWidget(symbol_);
   row->addWidget(text_, 1);
   row->addWidget(due_);
@@ -122,8 +121,7 @@ HeaderBar::HeaderBar(const LiveSession& session, const Workspace& work, QMenu& f
       finger_(new QToolButton),
       source_(new QToolButton),
       summary_(new FingerSummary(session, work)) {
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(0, 0, 0, 0);
+  auto* row = without_margins(new QHBoxLayout(this));
   add_button(finger_label_, finger_, finger_menu);
   add_button(source_label_, source_, source_menu);
   row->addWidget(summary_, 1);

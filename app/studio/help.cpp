@@ -328,11 +328,10 @@ void HelpMenu::choose_guide_file() {
   auto* dialog = new QFileDialog(parentWidget(), tr("Save the quick guide"),
                                  QDir::home().filePath(QStringLiteral("alltact-quick-guide.pdf")),
                                  tr("PDF files (*.pdf)"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setDefaultSuffix(QStringLiteral("pdf"));
   connect(dialog, &QFileDialog::fileSelected, this, &HelpMenu::write_guide);
-  dialog->show();
+  show_dialog(*dialog);
 }
 
 void HelpMenu::write_guide(const QString& file) {
@@ -345,7 +344,6 @@ void HelpMenu::write_guide(const QString& file) {
 
 void HelpMenu::show_about() {
   auto* dialog = new QDialog(parentWidget());
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
   const QString title = tr("About AllTact Studio");
   dialog->setWindowTitle(title);
   auto* layout = new QVBoxLayout(dialog);
@@ -363,7 +361,7 @@ void HelpMenu::show_about() {
   layout->addWidget(text);
   layout->addWidget(buttons);
   dialog->resize(640, 320);
-  dialog->show();
+  show_dialog(*dialog);
 }
 
 }  // namespace alltact

@@ -68,9 +68,6 @@ class HelpWindow : public Translated<QDialog> {
 // The menu Help: the help of the shown page, the glossary, a printable guide, and information about
 // this program.
 
-class HelpWindow;
-class Page;
-
 class HelpMenu : public TranslatedMenu {
   Q_OBJECT
  public:

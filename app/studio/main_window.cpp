@@ -5,8 +5,6 @@
 #include "app/studio/menus.h"
 #include "app/studio/onboarding.h"
 #include "app/studio/window_bars.h"
-#include "calibration/lens/calibrate_lens.h"
-#include "calibration/reference/reference_recording.h"
 #include "core/base/program.h"
 #include "widgets/background_work.h"
 #include "widgets/pages/accuracy_page.h"
@@ -53,26 +51,6 @@ void ProgramAppearance::set_language(const QString& language) {
       app_translator_.load(QStringLiteral(":/i18n/alltact_en")))
     QCoreApplication::installTranslator(&app_translator_);
 }
-
-namespace {
-
-Result<ReferenceReport> install(const std::filesystem::path& folder,
-                                const std::filesystem::path& video, const ReferenceChoices& choices,
-                                const Job& job) {
-  return set_reference(folder, {video}, job, choices);
-}
-
-Result<LensResult> measure(const LensRequest& requested, const Job& job) {
-  const auto done = measure_lens({requested.images}, requested.board, requested.settings, job);
-  if (!done) return done.error();
-  CameraParameters camera = done->fit.lens;
-  camera.port = requested.port;
-  const Status saved = save_camera(requested.camera, camera, lens_record(requested.board, *done));
-  if (!saved) return saved.error();
-  return LensResult{done->verdict.sentence, done->views, done->coverage.advice};
-}
-
-}  // namespace
 
 MainWindow::MainWindow(const StudioOptions& options, ProgramAppearance& program_appearance)
     : program_appearance_(program_appearance),
@@ -121,10 +99,9 @@ MainWindow::~MainWindow() {
 
 /// The table of pages: all code that shows or lists them loops over it.
 void MainWindow::make_pages(const StudioOptions& options) {
-  auto* calibrate =
-      new CalibratePage(session_, undo_, {measure, options.session_folder, program_version()});
+  auto* calibrate = new CalibratePage(session_, undo_, options.session_folder, program_version());
   auto* accuracy = new AccuracyPage(session_, undo_, program_version());
-  pages_ = {live_, calibrate, new RecordPage(session_, install), inspect_, accuracy};
+  pages_ = {live_, calibrate, new RecordPage(session_), inspect_, accuracy};
   guide_ = new Tutorial(session_, work_, *calibrate, options.session_folder);
   hint_ = new PageHint(*guide_);
 }
@@ -136,14 +113,10 @@ void MainWindow::put_together() {
   column->setContentsMargins(10, 8, 10, 4);
   auto* header = new HeaderBar(session_, work_, *finger_menu_, *source_menu_);
   connect(&header->summary(), &FingerSummary::due_requested, this, &MainWindow::lead_to);
-  column->addWidget(header);
-  column->addWidget(problems_);
-  column->addWidget(guide_);
-  column->addWidget(hint_);
+  add_widgets(*column, {header, problems_, guide_, hint_});
   column->addWidget(stack_, 1);
   auto* centre = new QWidget;
-  auto* row = new QHBoxLayout(centre);
-  row->setContentsMargins(0, 0, 0, 0);
+  auto* row = without_margins(new QHBoxLayout(centre));
   row->setSpacing(0);
   row->addWidget(navigation_);
   row->addWidget(content, 1);
@@ -257,14 +230,13 @@ void MainWindow::make_view_menu() {
 
 void MainWindow::show_settings() {
   auto* dialog = new SettingsDialog(program_appearance_.appearance(), &pedal_, this);
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &SettingsDialog::appearance_chosen, this, [this](const Appearance& chosen) {
     program_appearance_.apply(chosen);
     QSettings settings;
     settings.setValue(QStringLiteral("appearance/theme"), static_cast<int>(chosen.theme));
     settings.setValue(QStringLiteral("appearance/language"), chosen.language);
   });
-  dialog->show();
+  show_dialog(*dialog);
 }
 
 Page& MainWindow::shown_page() const {

@@ -9,7 +9,6 @@
 #include "widgets/widget_base.h"
 
 #include <QApplication>
-#include <QFileDialog>
 #include <QKeyEvent>
 
 namespace alltact {
@@ -48,11 +47,6 @@ void EditMenu::follow() {
 namespace {
 
 constexpr int kPathRoom = 420;  // px
-
-Status make_described(const NewFinger& requested) {
-  const auto made = make_finger(requested);
-  return made ? Status() : Status(made.error());
-}
 
 }  // namespace
 
@@ -122,34 +116,27 @@ void FingerMenu::offer(const std::vector<std::filesystem::path>& found) {
 
 void FingerMenu::list_all() {
   auto* dialog = new FingerListDialog(work_.state().recent_fingers, parentWidget());
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &FingerListDialog::finger_chosen, this,
           [this](const QString& folder) { work_.open_finger(folder.toStdString()); });
-  dialog->show();
+  show_dialog(*dialog);
 }
 
 void FingerMenu::choose() {
-  auto* dialog = new QFileDialog(parentWidget(), tr("Open a finger's folder"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(QFileDialog::Directory);
-  connect(dialog, &QFileDialog::fileSelected, this,
-          [this](const QString& folder) { work_.open_finger(folder.toStdString()); });
-  dialog->show();
+  ask_for_folder(parentWidget(), tr("Open a finger's folder"),
+                 [this](const QString& folder) { work_.open_finger(folder.toStdString()); });
 }
 
 void FingerMenu::make(const NewFinger& known) {
-  auto* dialog = new NewFingerDialog(make_described, parentWidget());
+  auto* dialog = new NewFingerDialog(parentWidget());
   dialog->set_description(known);
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &NewFingerDialog::made, this,
           [this](const QString& folder) { work_.open_finger(folder.toStdString()); });
-  dialog->show();
+  show_dialog(*dialog);
 }
 
 void FingerMenu::export_finger() {
   auto* dialog = new ExportDialog(work_.state().finger, parentWidget());
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->show();
+  show_dialog(*dialog);
 }
 
 SourceMenu::SourceMenu(Workspace& work, const CameraFinder& finder, QWidget* window)
@@ -196,23 +183,21 @@ void SourceMenu::open_shipped(const char* name) {
 }
 
 void SourceMenu::choose_video() {
-  choose(tr("Open a video"), QFileDialog::ExistingFile, tr("Videos (*.mkv *.avi *.mp4)"));
+  ask_for_file(parentWidget(), tr("Open a video"), tr("Videos (*.mkv *.avi *.mp4)"),
+               [this](const QString& file) { open(file); });
 }
 
-void SourceMenu::choose_folder() { choose(tr("Open a folder of images"), QFileDialog::Directory); }
+void SourceMenu::choose_folder() {
+  ask_for_folder(parentWidget(), tr("Open a folder of images"),
+                 [this](const QString& folder) { open(folder); });
+}
 
 void SourceMenu::choose_scene() {
-  choose(tr("Open a scene"), QFileDialog::ExistingFile, tr("Scenes (*.yaml *.yml)"));
+  ask_for_file(parentWidget(), tr("Open a scene"), tr("Scenes (*.yaml *.yml)"),
+               [this](const QString& file) { open(file); });
 }
 
-void SourceMenu::choose(const QString& title, QFileDialog::FileMode mode, const QString& filter) {
-  auto* dialog = new QFileDialog(parentWidget(), title, QString(), filter);
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(mode);
-  connect(dialog, &QFileDialog::fileSelected, this,
-          [this](const QString& chosen) { work_.open_source({chosen.toStdString()}); });
-  dialog->show();
-}
+void SourceMenu::open(const QString& path) { work_.open_source({path.toStdString()}); }
 
 MenuKeys::MenuKeys(QMenuBar& menus, QWidget& window)
     : QObject(&window), menus_(menus), window_(window) {

@@ -7,7 +7,6 @@
 #include "widgets/live/live_session.h"
 #include "widgets/widget_base.h"
 
-#include <QFileDialog>
 #include <QMenu>
 #include <QMenuBar>
 #include <QObject>
@@ -105,7 +104,7 @@ class SourceMenu : public Translated<QMenu> {
   void fill();
   void choose_scene();
   void open_shipped(const char* name);
-  void choose(const QString& title, QFileDialog::FileMode mode, const QString& filter = {});
+  void open(const QString& path);
 
   Workspace& work_;
   const CameraFinder& finder_;

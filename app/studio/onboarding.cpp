@@ -170,14 +170,12 @@ void Tutorial::lead() {
 PageHint::PageHint(const Tutorial& guide, QWidget* parent)
     : Translated(parent),
       guide_(guide),
-      text_(new QLabel),
+      text_(wrapped_text()),
       more_(new QPushButton),
       seen_(new QPushButton) {
   setFrameShape(QFrame::StyledPanel);
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(kSpacing, kSpacing / 2, kSpacing, kSpacing / 2);
-  text_->setWordWrap(true);
-  text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   row->addWidget(text_, 1);
   row->addWidget(more_);
   row->addWidget(seen_);

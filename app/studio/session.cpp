@@ -61,53 +61,6 @@ std::vector<ControlValue> controls_of(const Json& json) {
   return controls;
 }
 
-}  // namespace
-
-std::string session_to_json(const SessionState& state) {
-  Json json;
-  json["format"] = kSessionFormat;
-  json["finger"] = state.finger.string();
-  json["source"] = texts_of(state.source);
-  json["place"] = state.page;
-  json["view"] = {{"edges", state.view.edges},         {"markers", state.view.markers},
-                  {"direction", state.view.direction}, {"depth", state.view.depth},
-                  {"faults", state.view.faults},       {"depth_top_mm", state.view.depth_top_mm}};
-  json["inspect"] = inspect_to_json(state.inspect);
-  json["locked"] = state.is_locked;
-  json["controls"] = Json::object();
-  for (const auto& [camera, controls] : state.controls)
-    for (const ControlValue& control : controls)
-      json["controls"][camera].push_back(
-          {{"id", control.id}, {"name", control.name}, {"value", control.value}});
-  json["recent_fingers"] = texts_of(state.recent_fingers);
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
-Result<SessionState> session_from_json(const std::string& text, const std::string& origin) {
-  const Json json = Json::parse(text, nullptr, false);
-  if (!json.is_object() || value_or(json, "format", std::string()) != kSessionFormat)
-    return Error{en::say("this is not a session of this program"), origin,
-                 en::say("starting a new one")};
-  SessionState state;
-  state.finger = value_or(json, "finger", std::string());
-  state.source = paths_of(json, "source");
-  state.page = value_or(json, "place", state.page);
-  state.view = view_of(value_or(json, "view", Json::object()));
-  state.inspect = inspect_from_json(value_or(json, "inspect", Json::object()));
-  state.is_locked = value_or(json, "locked", true);
-  const Json controls = value_or(json, "controls", Json::object());
-  if (controls.is_object())
-    for (const auto& [camera, values] : controls.items())
-      state.controls[camera] = controls_of(values);
-  state.recent_fingers = paths_of(json, "recent_fingers");
-  if (state.recent_fingers.size() > kMaxRecentFingers)
-    state.recent_fingers.resize(kMaxRecentFingers);
-  return state;
-}
-
-namespace {
-
-using Json = nlohmann::ordered_json;
 using Numbers = std::vector<double>;
 
 // In the order of the enums, which count from 1.
@@ -178,8 +131,6 @@ SceneOptions scene_of(const Json& json) {
   return scene;
 }
 
-}  // namespace
-
 Json inspect_to_json(const InspectState& state) {
   const InspectOptions& options = state.options;
   Json json;
@@ -213,6 +164,7 @@ Json inspect_to_json(const InspectState& state) {
   return json;
 }
 
+/// Lenient: ignores unknown entries; impossible values become defaults.
 InspectState inspect_from_json(const Json& json) {
   InspectState state;
   if (!json.is_object()) return state;
@@ -233,6 +185,50 @@ InspectState inspect_from_json(const Json& json) {
   options.with = comparand_of(value_or(json, "with", Json()));
   options.a = position_of(json, "a_mm");
   options.b = position_of(json, "b_mm");
+  return state;
+}
+
+}  // namespace
+
+std::string session_to_json(const SessionState& state) {
+  Json json;
+  json["format"] = kSessionFormat;
+  json["finger"] = state.finger.string();
+  json["source"] = texts_of(state.source);
+  json["place"] = state.page;
+  json["view"] = {{"edges", state.view.edges},         {"markers", state.view.markers},
+                  {"direction", state.view.direction}, {"depth", state.view.depth},
+                  {"faults", state.view.faults},       {"depth_top_mm", state.view.depth_top_mm}};
+  json["inspect"] = inspect_to_json(state.inspect);
+  json["locked"] = state.is_locked;
+  json["controls"] = Json::object();
+  for (const auto& [camera, controls] : state.controls)
+    for (const ControlValue& control : controls)
+      json["controls"][camera].push_back(
+          {{"id", control.id}, {"name", control.name}, {"value", control.value}});
+  json["recent_fingers"] = texts_of(state.recent_fingers);
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Result<SessionState> session_from_json(const std::string& text, const std::string& origin) {
+  const Json json = Json::parse(text, nullptr, false);
+  if (!json.is_object() || value_or(json, "format", std::string()) != kSessionFormat)
+    return Error{en::say("this is not a session of this program"), origin,
+                 en::say("starting a new one")};
+  SessionState state;
+  state.finger = value_or(json, "finger", std::string());
+  state.source = paths_of(json, "source");
+  state.page = value_or(json, "place", state.page);
+  state.view = view_of(value_or(json, "view", Json::object()));
+  state.inspect = inspect_from_json(value_or(json, "inspect", Json::object()));
+  state.is_locked = value_or(json, "locked", true);
+  const Json controls = value_or(json, "controls", Json::object());
+  if (controls.is_object())
+    for (const auto& [camera, values] : controls.items())
+      state.controls[camera] = controls_of(values);
+  state.recent_fingers = paths_of(json, "recent_fingers");
+  if (state.recent_fingers.size() > kMaxRecentFingers)
+    state.recent_fingers.resize(kMaxRecentFingers);
   return state;
 }
 

@@ -17,11 +17,7 @@
 #include <thread>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 namespace alltact {
-
-// The state of the page Inspect, as a part of the saved session.
 
 /// The options of Inspect, and the frame of its recording.
 struct InspectState {
@@ -29,10 +25,6 @@ struct InspectState {
   std::size_t frame = 0;
   bool operator==(const InspectState&) const = default;
 };
-
-[[nodiscard]] nlohmann::ordered_json inspect_to_json(const InspectState& state);
-/// Lenient: ignores unknown entries; impossible values become defaults.
-[[nodiscard]] InspectState inspect_from_json(const nlohmann::ordered_json& json);
 
 struct SessionState {
   std::filesystem::path finger;               ///< folder; empty for none

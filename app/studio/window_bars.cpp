@@ -142,11 +142,8 @@ void NotificationBar::add_disk_problems(Problems& problems) const {
 
 void NotificationBar::add_pedal_problems(Problems& problems) const {
   if (const auto& away = pedal_.problem())
-    problems.push_back({Meaning::kDoubtful,
-                        tr("The foot pedal sends no signal now."),
-                        window_sentence(away->message()),
-                        {},
-                        {}});
+    problems.push_back({Meaning::kDoubtful, tr("The foot pedal sends no signal now."),
+                        window_sentence(away->message())});
 }
 
 void NotificationBar::add_source_problems(Problems& problems) {
@@ -215,7 +212,7 @@ void StatusLine::show_source(const SourceStatus& source, double shown_per_s) {
                           .arg(locale.toString(source.frames_per_s, 'f', 1),
                                locale.toString(static_cast<qulonglong>(source.delivered)),
                                locale.toString(shown_per_s, 'f', 1)));
-  const std::uint64_t damaged = source.camera ? source.camera->counts.damaged : 0;
+  const std::uint64_t damaged = source.camera ? source.camera->damaged : 0;
   lost_->setText(tr("%n frame(s) lost", nullptr, static_cast<int>(source.missing + damaged)));
 }
 

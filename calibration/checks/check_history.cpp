@@ -26,13 +26,11 @@ std::string line_of(const CheckEntry& entry) {
 
 std::vector<std::string> parts_of(const std::string& line) {
   std::vector<std::string> parts(1);
-  for (const char c : line) {
-    if (c == ',') {
+  for (const char c : line)
+    if (c == ',')
       parts.emplace_back();
-    } else {
+    else
       parts.back() += c;
-    }
-  }
   return parts;
 }
 
@@ -79,9 +77,8 @@ CheckEntry entry_of(const PressCheck& check, const Finger& finger, const std::st
   entry.light_percent = 100 * check.light_change;
   entry.presses = static_cast<int>(check.presses.size());
   entry.ball_radius_mm = check.ball_radius_mm;
-  const auto date = finger.provenance.find("calibration_date");
-  if (date != finger.provenance.end() && unix_seconds(date->second))
-    entry.calibration_date = date->second;
+  const std::string date = provenance_of(finger, "calibration_date");
+  if (unix_seconds(date)) entry.calibration_date = date;
   entry.program_version = program_version;
   return entry;
 }

@@ -6,6 +6,7 @@
 #include "core/sensing/reference/reference_library.h"
 
 #include <algorithm>
+#include <array>
 
 namespace alltact {
 namespace {
@@ -14,11 +15,6 @@ namespace fs = std::filesystem;
 
 /// Fewer frames leave gaps between the poses of a bending finger.
 constexpr std::size_t kPlentyOfFrames = 40;
-
-std::string value_or_empty(const Finger& finger, const char* key) {
-  const auto found = finger.provenance.find(key);
-  return found == finger.provenance.end() ? std::string() : found->second;
-}
 
 CheckItem check_reference(const FingerSnapshot& snapshot, const Job& job) {
   const Finger& finger = snapshot.finger;
@@ -60,25 +56,24 @@ CheckItem check_markers(const Finger& finger) {
                   finger.contact->threshold_px)};
 }
 
-CheckItem check_mapping(const Finger& finger, const CalibrationEvidence& evidence) {
+/// `worth`: empty without a record of the calibration.
+CheckItem check_mapping(const Finger& finger, const std::optional<Verdict>& worth) {
   if (!finger.mapping) {
     return {"mapping", CheckState::kMissing,
             en::say("not calibrated; run alltact calibrate with ball presses")};
   }
-  if (!finger.mapping_record) {
+  if (!worth) {
     return {"mapping", CheckState::kWeak,
             en::say("its origin and quality are not recorded; run alltact calibrate again")};
   }
-  const Verdict worth = verdict(evidence);
-  const CheckState state = worth.grade == Grade::kUnfit  ? CheckState::kMissing
-                           : worth.grade == Grade::kGood ? CheckState::kFine
-                                                         : CheckState::kWeak;
-  return {"mapping", state, worth.sentence};
+  const CheckState state = worth->grade == Grade::kUnfit  ? CheckState::kMissing
+                           : worth->grade == Grade::kGood ? CheckState::kFine
+                                                          : CheckState::kWeak;
+  return {"mapping", state, worth->sentence};
 }
 
 /// The inputs of the calibration must equal the current ones.
-CheckItem check_numbers(const CalibrationEvidence& evidence) {
-  const Verdict worth = verdict(evidence);
+CheckItem check_numbers(const Verdict& worth) {
   for (std::size_t i = 0; i < worth.missing.size(); ++i)
     if (worth.missing_names[i] == "numbers_unchanged")
       return {"numbers", CheckState::kMissing, worth.missing[i]};
@@ -87,13 +82,13 @@ CheckItem check_numbers(const CalibrationEvidence& evidence) {
 }
 
 /// Both dates are UTC in one format, so their order as text is their order in time.
-CheckItem check_age(const Finger& finger, const CalibrationEvidence& evidence) {
-  const std::string reference = value_or_empty(finger, "reference_date");
-  const std::string calibration = value_or_empty(finger, "calibration_date");
-  if (evidence.reference_is_newer) {
+CheckItem check_age(const Finger& finger, const std::optional<CalibrationEvidence>& evidence) {
+  const std::string reference = provenance_of(finger, "reference_date");
+  const std::string calibration = provenance_of(finger, "calibration_date");
+  if (evidence && evidence->reference_is_newer) {
     return {"calibration", CheckState::kStale,
             en::say("the reference ({}) is newer than the calibration ({}): {}", reference,
-                    calibration, evidence.repeat_command)};
+                    calibration, evidence->repeat_command)};
   }
   return {
       "calibration", CheckState::kFine,
@@ -108,13 +103,13 @@ CheckItem check_inputs(const fs::path& folder, const Finger& finger) {
   const auto gone =
       std::count_if(inputs->presses.begin(), inputs->presses.end(), [&](const StoredPress& press) {
         std::error_code failed;
-        return !fs::exists(folder / "presses" / (press.name + ".png"), failed);
+        return !fs::exists(stored_press_file(folder, press.name), failed);
       });
   if (gone > 0)
     return {"presses", CheckState::kWeak,
             en::say("{} of {} press images are missing, so the calibration cannot be repeated",
                     gone, inputs->presses.size())};
-  if (inputs->date != value_or_empty(finger, "calibration_date"))
+  if (inputs->date != provenance_of(finger, "calibration_date"))
     return {"presses", CheckState::kStale,
             en::say("the stored data is of an interrupted calibration; complete it with {}",
                     repeat_command(folder))};
@@ -126,54 +121,15 @@ CheckItem check_force(const FingerSnapshot& snapshot) {
     return {"force", CheckState::kWeak, en::say("{}.", snapshot.force_problem->message())};
   if (const Status belongs = snapshot.force->belongs_to(snapshot.finger); !belongs)
     return {"force", CheckState::kStale, en::say("{}.", belongs.error().message())};
-  const std::string trained = value_or_empty(snapshot.finger, "force_date");
+  const std::string trained = provenance_of(snapshot.finger, "force_date");
   const std::string kind = to_string(snapshot.force->kind);
   return {"force", CheckState::kFine,
           trained.empty() ? en::say("{}, trained at an unknown date", kind)
                           : en::say("{}, trained {}", kind, trained)};
 }
 
-}  // namespace
-
-std::string_view to_string(CheckState state) {
-  switch (state) {
-    case CheckState::kFine:
-      return "fine";
-    case CheckState::kWeak:
-      return "weak";
-    case CheckState::kStale:
-      return "stale";
-    case CheckState::kMissing:
-      return "missing";
-  }
-  return "";
-}
-
-FingerCheck check_finger(const FingerSnapshot& snapshot, const Job& job, const std::string& now) {
-  const Finger& finger = snapshot.finger;
-  const auto last = last_check(snapshot);
-  const bool has_passed = last && last->verdict == CheckVerdict::kPass;
-  const CalibrationEvidence evidence =
-      evidence_in(snapshot, now, has_passed ? last->time : std::string());
-  FingerCheck check;
-  check.items.push_back({"camera", CheckState::kFine,
-                         en::say("{}, {} x {} px", std::string(to_string(finger.camera.model)),
-                                 finger.camera.width_px, finger.camera.height_px)});
-  check.items.push_back(check_reference(snapshot, job));
-  if (finger.face.kind == FaceKind::kFinRay) check.items.push_back(check_markers(finger));
-  check.items.push_back(check_mapping(finger, evidence));
-  if (finger.mapping_record) check.items.push_back(check_numbers(evidence));
-  if (finger.mapping) check.items.push_back(check_age(finger, evidence));
-  if (finger.mapping_record) check.items.push_back(check_inputs(snapshot.folder, finger));
-  if (!finger.force_model.empty() && (snapshot.force || snapshot.force_problem))
-    check.items.push_back(check_force(snapshot));
-  if (finger.mapping && finger.mapping_record) check.verdict = verdict(evidence);
-  check.fit = std::none_of(check.items.begin(), check.items.end(), [](const CheckItem& item) {
-    return item.state == CheckState::kMissing;
-  });
-  return check;
-}
-
+/// The last check of the finger's current calibration. A pass with too few presses, which earlier
+/// versions gave, counts as none.
 std::optional<CheckEntry> last_check(const FingerSnapshot& snapshot) {
   const auto history = load_checks(snapshot.folder, nullptr);
   if (!history) return std::nullopt;
@@ -182,6 +138,35 @@ std::optional<CheckEntry> last_check(const FingerSnapshot& snapshot) {
   CheckEntry entry = *latest;
   entry.verdict = verdict_now(entry);
   return entry;
+}
+
+}  // namespace
+
+std::string_view to_string(CheckState state) {
+  constexpr std::array<std::string_view, 4> kWords{"fine", "weak", "stale", "missing"};
+  return kWords.at(static_cast<std::size_t>(state) - 1);
+}
+
+FingerCheck check_finger(const FingerSnapshot& snapshot, const Job& job, const std::string& now) {
+  const Finger& finger = snapshot.finger;
+  const FingerWorth worth = worth_of(snapshot, now);
+  FingerCheck check;
+  check.verdict = worth.verdict;
+  check.items.push_back({"camera", CheckState::kFine,
+                         en::say("{}, {} x {} px", std::string(to_string(finger.camera.model)),
+                                 finger.camera.width_px, finger.camera.height_px)});
+  check.items.push_back(check_reference(snapshot, job));
+  if (finger.face.kind == FaceKind::kFinRay) check.items.push_back(check_markers(finger));
+  check.items.push_back(check_mapping(finger, worth.verdict));
+  if (worth.verdict) check.items.push_back(check_numbers(*worth.verdict));
+  if (finger.mapping) check.items.push_back(check_age(finger, worth.evidence));
+  if (finger.mapping_record) check.items.push_back(check_inputs(snapshot.folder, finger));
+  if (!finger.force_model.empty() && (snapshot.force || snapshot.force_problem))
+    check.items.push_back(check_force(snapshot));
+  check.fit = std::none_of(check.items.begin(), check.items.end(), [](const CheckItem& item) {
+    return item.state == CheckState::kMissing;
+  });
+  return check;
 }
 
 FingerWorth worth_of(const FingerSnapshot& snapshot, const std::string& now) {

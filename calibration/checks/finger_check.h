@@ -43,10 +43,6 @@ struct FingerCheck {
 // The current state of a finger, from its folder: the verdict on its calibration, its files, its
 // last check, and what is due. Window, cards, command line, exports and stream use these texts.
 
-/// The last check of the finger's current calibration. A pass with too few presses, which earlier
-/// versions gave, counts as none.
-[[nodiscard]] std::optional<CheckEntry> last_check(const FingerSnapshot& snapshot);
-
 struct FingerWorth {
   std::optional<CalibrationEvidence> evidence;  ///< of the verdict
   /// empty: not calibrated, or without a record of the calibration

@@ -26,6 +26,11 @@ constexpr double kChance = 3.0;       // standard deviations
 
 Error stopped() { return {en::say("stopped before the check was done"), "", ""}; }
 
+/// The depth by the mapping; below zero it continues as a straight line.
+double reading_mm(const Mapping& mapping, double x) {
+  return x < 0 ? mapping.slope_mm(0) * x : mapping.depth_mm(x);
+}
+
 struct Mean {
   double mean = 0, sd = 0;
 };
@@ -94,13 +99,6 @@ Result<CheckedPress> measure_step(const Press& press, double light_change, const
   return result;
 }
 
-struct Measured {
-  std::set<std::string> names;  ///< of all presses that were read
-  std::vector<CheckedPress> presses;
-  std::vector<Message> left_out;            ///< sentences, those with a full stop as "{}."
-  std::vector<std::string> left_out_names;  ///< in name order
-};
-
 /// An error adds a full stop of its own.
 Message without_full_stop(const Message& sentence) {
   return sentence.words() == "{}." ? sentence.parts().front() : sentence;
@@ -120,17 +118,20 @@ Message in_a_row(const std::vector<Message>& sentences) {
   return all;
 }
 
-Result<Measured> measure_all(const PressInput& presses, Pipeline& pipeline, const Mapping& mapping,
-                             const PressSet& press_notes, const Job& job) {
+/// Adds the presses, and those left out, to `all`; sentences with a full stop have the form "{}.".
+/// Returns the names of all presses that were read.
+Result<std::set<std::string>> measure_all(const PressInput& presses, Pipeline& pipeline,
+                                          const Mapping& mapping, const PressSet& press_notes,
+                                          const Job& job, PressCheck& all) {
   auto source = open_presses(presses);
   if (!source) return source.error();
-  Measured all;
+  std::set<std::string> names;
   while (true) {
     if (job.stop_requested()) return stopped();
     const auto frame = (*source)->next();
     if (!frame) return frame.error();
     if (!*frame) break;
-    all.names.insert((*frame)->name);
+    names.insert((*frame)->name);
     pipeline.forget();  // presses are independent
     auto result = pipeline(*frame);
     if (!result) return result.error();
@@ -162,7 +163,7 @@ Result<Measured> measure_all(const PressInput& presses, Pipeline& pipeline, cons
   std::sort(all.left_out_names.begin(), all.left_out_names.end());
   std::sort(all.left_out.begin(), all.left_out.end(),
             [](const Message& a, const Message& b) { return a.english() < b.english(); });
-  return all;
+  return names;
 }
 
 double known_radius_mm(const Finger& finger) {
@@ -183,13 +184,14 @@ std::vector<CheckedPress> own_presses(const fs::path& folder, Pipeline& pipeline
   PressInput presses;
   std::error_code failed;
   for (const StoredPress& press : inputs->presses) {
-    const fs::path file = folder / kPressFolder / (press.name + ".png");
+    const fs::path file = stored_press_file(folder, press.name);
     if (inputs->press_set.of(press.name).excluded || !fs::exists(file, failed)) continue;
     presses.files.push_back(file);
   }
   if (presses.files.empty()) return {};
-  auto measured = measure_all(presses, pipeline, mapping, inputs->press_set, job);
-  return measured ? std::move(measured->presses) : std::vector<CheckedPress>{};
+  PressCheck own;
+  if (!measure_all(presses, pipeline, mapping, inputs->press_set, job, own)) return {};
+  return std::move(own.presses);
 }
 
 void judge(const std::vector<CheckedPress>& own, double held_out_mm, PressCheck& check) {
@@ -292,15 +294,12 @@ Result<PressCheck> check_with_presses(const FingerSnapshot& snapshot, const Pres
                                    settings_for_presses(measuring_settings(snapshot.folder)), job);
   if (!pipeline) return pipeline.error();
   job.report(0.3, en::say("measuring the presses"));
-  auto measured = measure_all(presses, *pipeline, *snapshot.mapping, press_notes, job);
-  if (!measured) return measured.error();
-  check.presses = std::move(measured->presses);
-  check.left_out = std::move(measured->left_out);
-  check.left_out_names = std::move(measured->left_out_names);
+  const auto names = measure_all(presses, *pipeline, *snapshot.mapping, press_notes, job, check);
+  if (!names) return names.error();
   for (const auto& [name, note] : press_notes.notes)
-    if (!measured->names.contains(name))
+    if (!names->contains(name))
       return Error{en::say("no press is named '{}'", name), "",
-                   en::say("one of {}", fmt::format("{}", fmt::join(measured->names, ", ")))};
+                   en::say("one of {}", fmt::format("{}", fmt::join(*names, ", ")))};
   if (check.presses.empty()) {
     std::vector<Message> reasons = check.left_out;
     if (!reasons.empty()) reasons.back() = without_full_stop(reasons.back());
@@ -316,19 +315,10 @@ Result<PressCheck> check_with_presses(const FingerSnapshot& snapshot, const Pres
   return check;
 }
 
-namespace {
-
-constexpr int kSamplesOfBall = 1500;
-constexpr std::size_t kMinSamplesOfBall = 60;
-
-}  // namespace
-
-double reading_mm(const Mapping& mapping, double x) {
-  return x < 0 ? mapping.slope_mm(0) * x : mapping.depth_mm(x);
-}
-
 Result<BallByShape> ball_by_shape(const Press& press, const Face& face, const Mapping& mapping,
                                   const Job& job) {
+  constexpr int kSamplesOfBall = 1500;
+  constexpr std::size_t kMinSamplesOfBall = 60;
   const auto guess = find_ball(press, face);
   if (!guess) return guess.error();
   const Error too_small{en::say("{}: the contact covers too few pixels", press.name), "",
@@ -353,7 +343,7 @@ Result<BallByShape> ball_by_shape(const Press& press, const Face& face, const Ma
   fixed.fix_mapping = true;
   JointFit fit = fit_jointly({&samples}, {line, {guess->centre_mm}, false}, fixed, job);
   if (fit.converged) fit = fit_jointly({&samples}, fit, options, job);
-  if (job.stop_requested()) return Error{en::say("stopped before the check was done"), "", ""};
+  if (job.stop_requested()) return stopped();
   if (!fit.converged)
     return Error{en::say("{}: no ball fits the contact", press.name), "", en::say("a clean ball")};
 

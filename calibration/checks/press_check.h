@@ -30,7 +30,6 @@
 
 #include <array>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <Eigen/Core>
@@ -59,7 +58,7 @@ struct PressCheck {
   std::array<int, 3> thirds = {};     ///< of them in base, middle, tip (flat: left, ...)
   bool is_flat = false;
   std::vector<Message> left_out;            ///< "press_3: why"
-  std::vector<std::string> left_out_names;  ///< "press_3"
+  std::vector<std::string> left_out_names;  ///< "press_3", in name order
   Message sentence;                         ///< verdict, figures and what to do
 };
 
@@ -94,8 +93,5 @@ struct BallByShape {
 /// find_ball(); a contact of too few pixels; no ball fits; stopped.
 [[nodiscard]] Result<BallByShape> ball_by_shape(const Press& press, const Face& face,
                                                 const Mapping& mapping, const Job& job);
-
-/// The depth by the mapping; below zero it continues as a straight line.
-[[nodiscard]] double reading_mm(const Mapping& mapping, double x);
 
 }  // namespace alltact

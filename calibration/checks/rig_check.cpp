@@ -86,6 +86,10 @@ Eigen::Vector2d end_of(const FaceShape& shape) {
   return {middle->u, 0.5 * (column.upper_v + column.lower_v)};
 }
 
+RigState state_by(bool is_fine, bool is_usable) {
+  return is_fine ? RigState::kFine : is_usable ? RigState::kDoubtful : RigState::kBad;
+}
+
 Message end_name(RigItem item) {
   return item == RigItem::kFocusTip ? en::say("tip") : en::say("base");
 }
@@ -164,9 +168,7 @@ RigFinding RigCheck::focus(RigItem item, const std::optional<double>& width_px) 
     return found;
   }
   found.sentence = en::say("edges at the {} are {:.1f} px wide", end_name(item), *width_px);
-  found.state = *width_px <= kSharp_px     ? RigState::kFine
-                : *width_px <= kBlurred_px ? RigState::kDoubtful
-                                           : RigState::kBad;
+  found.state = state_by(*width_px <= kSharp_px, *width_px <= kBlurred_px);
   if (found.state != RigState::kFine)
     found.advice = en::say("turn the lens until the {} is sharp, and let the other end stay so",
                            end_name(item));
@@ -179,15 +181,13 @@ RigFinding RigCheck::brightness() const {
   found.sentence = en::say("no face is visible");
   if (!has_face_) return found;
   if (saturated_ > kFewSaturated) {
-    found.state = saturated_ > kManySaturated ? RigState::kBad : RigState::kDoubtful;
+    found.state = state_by(false, saturated_ <= kManySaturated);
     found.sentence = en::say("{:.1f} % of the face is too bright to measure", 100 * saturated_);
     found.advice = en::say("dim the lamp, or shorten the exposure");
     return found;
   }
   found.sentence = en::say("the face has brightness {:.0f} of 255, nothing is too bright", bright_);
-  found.state = bright_ >= kDark      ? RigState::kFine
-                : bright_ >= kTooDark ? RigState::kDoubtful
-                                      : RigState::kBad;
+  found.state = state_by(bright_ >= kDark, bright_ >= kTooDark);
   if (found.state != RigState::kFine)
     found.advice = en::say("turn the lamp up, or lengthen the exposure");
   return found;
@@ -208,9 +208,7 @@ RigFinding RigCheck::lamp() const {
                           [](const Light& a, const Light& b) { return a.mean < b.mean; });
   const double change = (brightest->mean - darkest->mean) / brightest->mean;
   found.sentence = en::say("brightness changes by {:.1f} % in {:.0f} s", 100 * change, kLamp_s);
-  found.state = change <= kSteady     ? RigState::kFine
-                : change <= kUnsteady ? RigState::kDoubtful
-                                      : RigState::kBad;
+  found.state = state_by(change <= kSteady, change <= kUnsteady);
   if (found.state != RigState::kFine)
     found.advice = en::say(
         "let the lamp warm up for ten minutes, shade the finger from the room's light, and "
@@ -231,9 +229,7 @@ RigFinding RigCheck::dots(int expected) const {
     return found;
   }
   found.sentence = en::say("{} of {} dots are found", seen_dots_, expected);
-  found.state = seen_dots_ == expected       ? RigState::kFine
-                : 2 * seen_dots_ >= expected ? RigState::kDoubtful
-                                             : RigState::kBad;
+  found.state = state_by(seen_dots_ == expected, 2 * seen_dots_ >= expected);
   if (found.state != RigState::kFine)
     found.advice = en::say(
         "light the dots evenly, keep both rows in the image, and check how many the finger has");

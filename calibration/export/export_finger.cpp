@@ -2,7 +2,7 @@
 
 #include "calibration/checks/finger_check.h"
 #include "calibration/export/export_texts.h"
-#include "calibration/finger/calibration_inputs.h"
+#include "calibration/finger/calibrate_finger.h"
 #include "calibration/finger/measuring_presets.h"
 #include "core/base/atomic_file.h"
 #include "core/base/utc_time.h"
@@ -16,12 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A file with its complete content.
-struct Part {
-  fs::path name;
-  std::string content;
-};
-
 /// With the settings of the finger's calibration, and its current verdict.
 Result<std::string> json_of(const Finger& finger, const fs::path& finger_folder) {
   std::optional<Verdict> worth;
@@ -30,41 +24,30 @@ Result<std::string> json_of(const Finger& finger, const fs::path& finger_folder)
   return calibration_json(finger, calibrated_settings(finger_folder), worth);
 }
 
-template <Result<std::string> (*text)(const Finger&)>
-Result<std::string> from_finger(const Finger& finger, const fs::path&) {
-  return text(finger);
-}
-
-struct FormText {
-  ExportForm form;
-  const char* name;
-  Result<std::string> (*make)(const Finger&, const fs::path& finger_folder);
-};
-constexpr FormText kTexts[] = {
-    {ExportForm::kOpencv, "camera.opencv.yaml", from_finger<opencv_camera>},
-    {ExportForm::kRos, "camera_info.yaml", from_finger<ros_camera_info>},
-    {ExportForm::kRos, "parameters.yaml", from_finger<ros_parameters>},
-    {ExportForm::kJson, "calibration.json", json_of}};
 constexpr const char* kZipName = "finger.zip";
 
 bool has_form(const std::vector<ExportForm>& forms, ExportForm form) {
   return std::find(forms.begin(), forms.end(), form) != forms.end();
 }
 
-Result<std::vector<Part>> texts(const Finger& finger, const fs::path& finger_folder,
-                                const std::vector<ExportForm>& forms) {
-  std::vector<Part> parts;
-  for (const FormText& one : kTexts) {
-    if (!has_form(forms, one.form)) continue;
-    auto content = one.make(finger, finger_folder);
-    if (!content) {
-      Error error = content.error();
-      if (error.where.empty()) error.where = finger_folder.string();
-      return error;
-    }
-    parts.push_back({one.name, std::move(content).value()});
-  }
-  return parts;
+Result<std::vector<ReportFile>> texts(const Finger& finger, const fs::path& finger_folder,
+                                      const std::vector<ExportForm>& forms) {
+  std::vector<ReportFile> files;
+  std::optional<Error> problem;  // the first
+  const auto add = [&](ExportForm form, const char* name, const auto& make) {
+    if (problem || !has_form(forms, form)) return;
+    if (Result<std::string> content = make(); content)
+      files.push_back({name, std::move(content).value()});
+    else
+      problem = content.error();
+  };
+  add(ExportForm::kOpencv, "camera.opencv.yaml", [&] { return opencv_camera(finger); });
+  add(ExportForm::kRos, "camera_info.yaml", [&] { return ros_camera_info(finger); });
+  add(ExportForm::kRos, "parameters.yaml", [&] { return ros_parameters(finger); });
+  add(ExportForm::kJson, "calibration.json", [&] { return json_of(finger, finger_folder); });
+  if (!problem) return files;
+  if (problem->where.empty()) problem->where = finger_folder.string();
+  return *problem;
 }
 
 /// Every path is below "".
@@ -177,7 +160,7 @@ Status export_finger(const FingerSnapshot& snapshot, const std::vector<ExportFor
   const auto done = [&](const fs::path& file) {
     if (written != nullptr) written->push_back(file);
   };
-  for (const Part& part : *parts) {
+  for (const ReportFile& part : *parts) {
     const fs::path file = folder / part.name;
     if (job.stop_requested())
       return Error{en::say("stopped before it was written"), file.string(), ""};

@@ -125,36 +125,24 @@ void sign_inputs(const CalibrationWork& work, FingerCalibration& done) {
   inputs.presses.clear();
   for (const FramePtr& frame : work.frames)
     inputs.presses.push_back({frame->name, image_checksum(frame->grey)});
-  if (work.is_repetition && inputs.reference_checksum != work.stored.reference_checksum)
+  const std::string now = utc_not_before(provenance_of(done.finger, "reference_date"));
+  if (!work.stored) {
+    if (inputs.date.empty()) inputs.date = now;
+    return;
+  }
+  const CalibrationInputs& stored = *work.stored;
+  if (inputs.reference_checksum != stored.reference_checksum)
     done.warnings.push_back(en::say(
         "The finger's reference has changed since its calibration: this is a new calibration."));
-  if (work.is_repetition && inputs.finger_checksum != work.stored.finger_checksum)
+  if (inputs.finger_checksum != stored.finger_checksum)
     done.warnings.push_back(
         en::say("The finger's camera, face or markers have changed since its calibration: this is "
                 "a new calibration."));
-  if (work.is_repetition && inputs.program_version != work.stored.program_version)
+  if (inputs.program_version != stored.program_version)
     done.warnings.push_back(en::say(
         "The finger was calibrated by version {}: this is a new calibration, by version {}.",
-        work.stored.program_version, inputs.program_version));
-  const auto reference = done.finger.provenance.find("reference_date");
-  const std::string now =
-      utc_not_before(reference == done.finger.provenance.end() ? "" : reference->second);
-  if (work.is_repetition)
-    inputs.date = same_but_for_date(inputs, work.stored) ? work.stored.date : now;
-  else if (inputs.date.empty())
-    inputs.date = now;
-}
-
-Status write_presses(const CalibrationWork& work, const fs::path& folder) {
-  if (work.is_repetition) return {};
-  const fs::path stored = folder / kPressFolder;
-  if (const Status status = make_folder(stored); !status) return status;
-  for (const FramePtr& frame : work.frames) {
-    const Status status = write_image(stored / (frame->name + ".png"), frame->grey,
-                                      frame->controls ? *frame->controls : std::string());
-    if (!status) return status;
-  }
-  return {};
+        stored.program_version, inputs.program_version));
+  inputs.date = same_but_for_date(inputs, stored) ? stored.date : now;
 }
 
 /// Writes all files at once: until then the finger is unchanged.
@@ -180,7 +168,9 @@ Status write(const CalibrationWork& work, FingerCalibration& done, const Job& jo
     const auto known = install_flat_reference(*work.untouched, change->staged(), done.finger);
     if (!known) return known.error();
   }
-  if (const Status status = write_presses(work, change->staged()); !status) return status;
+  if (!work.stored)
+    for (const FramePtr& frame : work.frames)
+      if (const Status status = store_press(change->staged(), *frame); !status) return status;
   // Where presses are being collected this file holds their current notes; elsewhere the inputs do.
   std::error_code absent;
   if (fs::exists(work.store->folder() / PressSet::kFileName, absent))
@@ -222,8 +212,7 @@ Result<FingerCalibration> run(CalibrationWork work, CalibrationInputs inputs, co
   if (const Status status = take_presses(work, done, job); !status) return status.error();
   MeasureAsPaper as_paper;
   if (work.compare_methods) as_paper = [&] { return take_presses_as_paper(work, done, job); };
-  if (const Status status = solve_presses(done, work.references, as_paper, job, work.on_round);
-      !status) {
+  if (const Status status = solve_presses(done, as_paper, job, work.on_round); !status) {
     if (job.stop_requested()) return status.error();
     Error refused = status.error();
     const fs::path image = leave_press_problem(work.store->folder(), done, refused.what.english());
@@ -231,7 +220,6 @@ Result<FingerCalibration> run(CalibrationWork work, CalibrationInputs inputs, co
       refused.advice = en::clauses({refused.advice, en::say("{} shows what was found", image)});
     return refused;
   }
-  work.references.clear();
   if (const Status status = write(work, done, job); !status) return status.error();
   done.problem_image = leave_press_problem(work.store->folder(), done, "");
   job.report(1.0, en::say("done"));
@@ -276,11 +264,10 @@ Result<FingerCalibration> calibrate_finger_again(const fs::path& folder, Calibra
   if (!stored) return stored.error();
   CalibrationWork work;
   work.store = FingerStore::of(folder);
-  work.is_repetition = true;
   work.make_report = make_report;
   work.compare_methods = make_report != nullptr;
   for (const StoredPress& press : stored->presses)
-    work.presses.files.push_back(folder / kPressFolder / (press.name + ".png"));
+    work.presses.files.push_back(stored_press_file(folder, press.name));
   work.stored = std::move(stored).value();
   inputs.program_version = program_version;
   return run(std::move(work), std::move(inputs), job);

@@ -13,12 +13,12 @@
 #include "core/base/result.h"
 #include "core/finger/finger.h"
 #include "core/sensing/pipeline_settings.h"
+#include "core/sensing/reference/reference_image.h"
 
 #include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace alltact {
@@ -30,12 +30,13 @@ struct TakenPress {
   std::optional<Press> press;  ///< empty: nothing could be measured in it
   Message left_out;            ///< why it is not used; empty: it is
   PressSign sign;
+  std::optional<Reference> reference = std::nullopt;  ///< until it is solved: compared with this
 };
 
 struct FingerCalibration {
   Finger finger;  ///< as saved
   CalibrationInputs inputs;
-  std::vector<TakenPress> presses;  ///< all that were given
+  std::vector<TakenPress> presses;  ///< all that were given, without their references
   Calibration calibration;
   std::vector<PressResiduals> residuals;
   std::vector<ZoneError> zones;

@@ -21,13 +21,10 @@ namespace {
 
 /// Standard deviation of depth from the mapping's covariance, mm along z: root mean square over its
 /// domain. 0 without a covariance.
-[[nodiscard]] double scale_sd_mm(const MappingParameters& mapping);
-
-constexpr int kDomainSteps = 12;
-
 double scale_sd_mm(const MappingParameters& parameters) {
   const auto mapping = Mapping::create(parameters);
   if (!mapping || parameters.covariance.size() == 0) return 0;
+  constexpr int kDomainSteps = 12;
   double squares = 0;
   for (int i = 1; i <= kDomainSteps; ++i) {
     const double sd_mm = mapping->depth_sd_mm(mapping->x_max() * i / kDomainSteps);
@@ -121,12 +118,25 @@ Result<Pipeline> make_pipeline(const CalibrationWork& work, const FingerCalibrat
 
 /// The stored image must be unchanged since the calibration.
 Status check_stored(const CalibrationWork& work, const Frame& frame, std::size_t index) {
-  if (!work.is_repetition) return {};
-  const StoredPress& stored = work.stored.presses[index];
+  if (!work.stored) return {};
+  const StoredPress& stored = work.stored->presses[index];
   if (frame.name == stored.name && image_checksum(frame.grey) == stored.checksum) return {};
   return Error{en::say("this is not the image that the finger was calibrated with"),
                work.presses.files[index].string(),
                en::say("calibrating again with the existing images")};
+}
+
+/// Ball, depth, step, exclusion.
+void apply_notes(const PressSet& press_set, TakenPress& press) {
+  const PressNote& note = press_set.of(press.name);
+  if (press.press) {
+    press.press->ball_radius_mm = press_set.radius_of(press.name);
+    press.press->ball_mm = note.ball_mm;
+    press.press->given_depth = note.depth;
+    press.press->step_mm = note.step_mm;
+  }
+  if (note.excluded)
+    press.left_out = en::list({en::say("excluded"), Message::typed(*note.excluded)});
 }
 
 Status measure_presses(CalibrationWork& work, Pipeline& pipeline, FingerCalibration& done,
@@ -135,7 +145,7 @@ Status measure_presses(CalibrationWork& work, Pipeline& pipeline, FingerCalibrat
   input.frames_per_press = static_cast<std::size_t>(done.inputs.calibration.frames_per_press);
   auto source = open_presses(input);
   if (!source) return source.error();
-  if (!work.is_repetition) done.inputs.is_continuous = is_one_video(**source);
+  if (!work.stored) done.inputs.is_continuous = is_one_video(**source);
   const double count = static_cast<double>((*source)->count().value_or(0));
   std::set<std::string> names;
   while (true) {
@@ -158,7 +168,6 @@ Status measure_presses(CalibrationWork& work, Pipeline& pipeline, FingerCalibrat
     if (!result) return result.error();
     done.presses.push_back(press_of(frame->name, *result));
     apply_notes(done.inputs.press_set, done.presses.back());
-    work.references.push_back(std::move(result->reference));
     work.frames.push_back(frame);
   }
   done.made_of = made_of(**source);
@@ -189,19 +198,8 @@ TakenPress press_of(const std::string& name, FrameResult& result) {
   else
     press.left_out =
         result.problems.empty() ? en::say("no face was found") : result.problems.front();
+  press.reference = std::move(result.reference);
   return press;
-}
-
-void apply_notes(const PressSet& press_set, TakenPress& press) {
-  const PressNote& note = press_set.of(press.name);
-  if (press.press) {
-    press.press->ball_radius_mm = press_set.radius_of(press.name);
-    press.press->ball_mm = note.ball_mm;
-    press.press->given_depth = note.depth;
-    press.press->step_mm = note.step_mm;
-  }
-  if (note.excluded)
-    press.left_out = en::list({en::say("excluded"), Message::typed(*note.excluded)});
 }
 
 Result<std::vector<Press>> take_presses_as_paper(const CalibrationWork& work,
@@ -269,9 +267,7 @@ MappingRecord record_of(const FingerCalibration& done) {
   return record;
 }
 
-Status solve_presses(FingerCalibration& done,
-                     const std::vector<std::optional<Reference>>& references,
-                     const MeasureAsPaper& as_paper, const Job& job,
+Status solve_presses(FingerCalibration& done, const MeasureAsPaper& as_paper, const Job& job,
                      const RoundListener& on_round) {
   leave_out_beyond(done.inputs.calibration.presses, done.presses);
   std::vector<Press> used;
@@ -324,10 +320,11 @@ Status solve_presses(FingerCalibration& done,
     if (press.left_out.empty()) signs.push_back(press.sign);
   done.fault_signs = fault_signs(signs);
   std::vector<ComparedPress> compared;
-  for (std::size_t i = 0; i < done.presses.size(); ++i)
-    if (done.presses[i].left_out.empty() && !done.presses[i].press->step_mm)
-      compared.push_back({&*done.presses[i].press, &*references[i]});
+  for (const TakenPress& taken : done.presses)
+    if (taken.left_out.empty() && !taken.press->step_mm)
+      compared.push_back({&*taken.press, &*taken.reference});
   const ContactError pixel = contact_error(compared, done.residuals, done.calibration.mapping);
+  for (TakenPress& taken : done.presses) taken.reference.reset();
   done.pixel_mm = pixel.mean_mm;
   done.pixel_sd_mm = pixel.sd_without_mapping_mm;
   done.halo = measure_halo(presses, done.finger.face, done.calibration);
@@ -510,19 +507,14 @@ int side_of(const std::vector<ResidualSample>& samples) {
 }  // namespace
 
 Result<FingerCalibration> forecast_calibration(const Finger& finger,
-                                               const std::vector<ReferencedPress>& presses,
+                                               std::vector<TakenPress> presses,
                                                const CalibrationInputs& inputs, const Job& job) {
   FingerCalibration done;
   done.finger = finger;
   done.inputs = inputs;
-  std::vector<std::optional<Reference>> references;
-  for (const ReferencedPress& one : presses) {
-    done.presses.push_back(one.taken);
-    apply_notes(inputs.press_set, done.presses.back());
-    references.push_back(one.reference);
-  }
-  if (const Status solved = solve_presses(done, references, {}, job, {}); !solved)
-    return solved.error();
+  done.presses = std::move(presses);
+  for (TakenPress& press : done.presses) apply_notes(inputs.press_set, press);
+  if (const Status solved = solve_presses(done, {}, job, {}); !solved) return solved.error();
   return done;
 }
 

@@ -3,12 +3,10 @@
 
 #include "calibration/finger/calibrate_finger.h"
 #include "calibration/reference/reference_recording.h"
-#include "calibration/verdict/contradiction.h"
+#include "calibration/verdict/verdict.h"
 #include "core/image/frame.h"
 #include "core/sensing/frame_result.h"
-#include "core/sensing/reference/reference_library.h"
 
-#include <filesystem>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -22,23 +20,19 @@ struct CalibrationWork {
   std::shared_ptr<FingerStore> store;
   PressInput presses;
   std::optional<UntouchedImage> untouched;  ///< of a flat sensor: to be installed
-  bool is_repetition = false;               ///< the presses must be those of `stored`
-  CalibrationInputs stored;                 ///< the stored inputs of the repeated calibration
+  std::optional<CalibrationInputs> stored;  ///< repetition: the presses must be these; else empty
   MakeReport make_report;
   bool compare_methods = false;
   RoundListener on_round;
-  std::vector<FramePtr> frames;                      ///< one a press, in their stored form
-  std::vector<std::optional<Reference>> references;  ///< of each press
+  std::vector<FramePtr> frames;  ///< one a press, in their stored form
 };
 
-/// A pipeline's measurement of a press, before its notes are applied; difference and face are moved
-/// out of `result`.
+/// A pipeline's measurement of a press, before its notes are applied; difference, face and
+/// reference are moved out of `result`.
 [[nodiscard]] TakenPress press_of(const std::string& name, FrameResult& result);
-/// Applies the notes: ball, depth, step, exclusion.
-void apply_notes(const PressSet& press_set, TakenPress& press);
 
 /// Reads the images and runs them through the pipeline. `done` receives its presses, its bursts,
-/// and whether the source is continuous; `work` receives frames and references. `done.finger` and
+/// and whether the source is continuous; `work` receives the frames. `done.finger` and
 /// `done.inputs` are those of the calibration. Errors: those of loading; the first image that is
 /// unreadable, has another size or differs from the stored one; two presses of one name; notes on a
 /// press that does not exist; stopped.
@@ -55,14 +49,12 @@ void apply_notes(const PressSet& press_set, TakenPress& press);
 using MeasureAsPaper = std::function<Result<std::vector<Press>>()>;
 
 /// Calibrates with the presses of `done` that are not left out, and fills its residuals, zones,
-/// signs of a fault, verdict and remarks. `references`: of each press. `as_paper`: the same presses
-/// measured by the source paper's method; called only for a comparison of methods. `on_round`: see
-/// calibrate(). Errors: no usable press; those of calibrate(); a method that does not support the
-/// notes on the presses.
-[[nodiscard]] Status solve_presses(FingerCalibration& done,
-                                   const std::vector<std::optional<Reference>>& references,
-                                   const MeasureAsPaper& as_paper, const Job& job,
-                                   const RoundListener& on_round);
+/// signs of a fault, verdict and remarks. The presses' references are released. `as_paper`: the
+/// same presses measured by the source paper's method; called only for a comparison of methods.
+/// `on_round`: see calibrate(). Errors: no usable press; those of calibrate(); a method that does
+/// not support the notes on the presses.
+[[nodiscard]] Status solve_presses(FingerCalibration& done, const MeasureAsPaper& as_paper,
+                                   const Job& job, const RoundListener& on_round);
 
 /// The record of a calibration in finger.yaml, next to its mapping.
 [[nodiscard]] MappingRecord record_of(const FingerCalibration& done);
@@ -76,18 +68,13 @@ using MeasureAsPaper = std::function<Result<std::vector<Press>>()>;
 // Predicted result of a calibration with the current presses and notes, and the fit of one press in
 // it. Nothing is written.
 
-/// A press as it was measured; its notes are applied when it is used.
-struct ReferencedPress {
-  TakenPress taken;
-  std::optional<Reference> reference;  ///< that it was compared with
-};
-
 /// The figures of calibrate_finger() with these presses, in the order of their names, if the
-/// pipeline's settings are the same. `inputs` holds the settings and the notes on the presses.
-/// Errors: those of solve_presses().
-[[nodiscard]] Result<FingerCalibration> forecast_calibration(
-    const Finger& finger, const std::vector<ReferencedPress>& presses,
-    const CalibrationInputs& inputs, const Job& job);
+/// pipeline's settings are the same. `presses`: as press_of() returns them. `inputs` holds the
+/// settings and the notes on the presses. Errors: those of solve_presses().
+[[nodiscard]] Result<FingerCalibration> forecast_calibration(const Finger& finger,
+                                                             std::vector<TakenPress> presses,
+                                                             const CalibrationInputs& inputs,
+                                                             const Job& job);
 
 /// One press compared with a known mapping, its ball at `centre_mm`: about 12 ms.
 struct PressFit {

@@ -8,9 +8,7 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
-
-#include <fmt/format.h>
+#include <cstring>
 
 namespace alltact {
 namespace {
@@ -110,10 +108,6 @@ CalibrationInputs read_inputs(YamlSection& top) {
 
 }  // namespace
 
-struct CalibrationInputs::Unknown {
-  UnknownKeys keys;
-};
-
 Result<CalibrationInputs> CalibrationInputs::load(const fs::path& finger_folder,
                                                   std::vector<Message>* warnings) {
   const fs::path file = finger_folder / kFileName;
@@ -134,23 +128,21 @@ Result<CalibrationInputs> CalibrationInputs::parse(const std::string& yaml, cons
   CalibrationInputs inputs;
   const Status read = file.read(yaml, [&](YamlSection& top) { inputs = read_inputs(top); });
   if (!read) return read.error();
-  inputs.unknown_ = std::make_shared<const Unknown>(Unknown{std::move(file.unknown())});
+  inputs.unknown_ = std::move(file.unknown());
   if (warnings != nullptr)
     warnings->insert(warnings->end(), file.warnings().begin(), file.warnings().end());
   return inputs;
 }
 
 std::string CalibrationInputs::to_yaml() const {
-  static const UnknownKeys kNone;
-  const UnknownKeys& unknown = unknown_ ? unknown_->keys : kNone;
   YamlBlock head("");
   head.add("format", kFormat);
   head.add("date", yaml_text(date));
   head.add("program_version", yaml_text(program_version));
   add_all_presses(press_set, head);
   std::string text = head.on_many_lines();
-  text += settings_text("calibration", calibration, calibration_settings(), unknown);
-  text += settings_text("pipeline", pipeline, pipeline_settings(), unknown);
+  text += settings_text("calibration", calibration, calibration_settings(), unknown_);
+  text += settings_text("pipeline", pipeline, pipeline_settings(), unknown_);
 
   YamlBlock rest("");
   rest.add("continuous", is_continuous ? "true" : "false");
@@ -163,11 +155,32 @@ std::string CalibrationInputs::to_yaml() const {
     checksums.push_back('"' + press.checksum + '"');
   }
   rest.add("checksums", yaml_list(checksums));
-  rest.add_unknown(unknown);
+  rest.add_unknown(unknown_);
   text += rest.on_many_lines();
   YamlBlock last("");
   last.add("presses", yaml_list(names));
   return text + last.on_many_lines();
+}
+
+fs::path stored_press_file(const fs::path& finger_folder, const std::string& name) {
+  return finger_folder / kPressFolder / (name + ".png");
+}
+
+Status store_press(const fs::path& finger_folder, const Frame& frame) {
+  if (const Status made = make_folder(finger_folder / kPressFolder); !made) return made;
+  return write_image(stored_press_file(finger_folder, frame.name), frame.grey,
+                     frame.controls ? *frame.controls : std::string());
+}
+
+Result<FramePtr> read_stored_press(const fs::path& finger_folder, const std::string& name) {
+  const fs::path file = stored_press_file(finger_folder, name);
+  auto grey = read_grey_image(file);
+  if (!grey) return grey.error();
+  auto frame = std::make_shared<Frame>();
+  frame->grey = std::move(grey).value();
+  frame->name = name;
+  frame->origin = file.string();
+  return FramePtr(std::move(frame));
 }
 
 Result<std::vector<fs::path>> stored_presses(const fs::path& finger_folder) {

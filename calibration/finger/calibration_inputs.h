@@ -23,12 +23,13 @@
 #include "calibration/joint/calibrate.h"
 #include "core/base/message.h"
 #include "core/base/result.h"
+#include "core/base/yaml.h"
 #include "core/finger/finger.h"
 #include "core/finger/press_set.h"
+#include "core/image/frame.h"
 #include "core/sensing/pipeline_settings.h"
 
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -69,9 +70,17 @@ struct CalibrationInputs {
   [[nodiscard]] std::string to_yaml() const;
 
  private:
-  struct Unknown;
-  std::shared_ptr<const Unknown> unknown_;
+  UnknownKeys unknown_;
 };
+
+/// The file of a stored press.
+[[nodiscard]] std::filesystem::path stored_press_file(const std::filesystem::path& finger_folder,
+                                                      const std::string& name);
+/// Writes a frame there, with its settings. The folder is created if missing.
+[[nodiscard]] Status store_press(const std::filesystem::path& finger_folder, const Frame& frame);
+/// Reads it, without its settings.
+[[nodiscard]] Result<FramePtr> read_stored_press(const std::filesystem::path& finger_folder,
+                                                 const std::string& name);
 
 /// The images in presses/ of a finger's folder, in name order; empty where there is no such folder.
 [[nodiscard]] Result<std::vector<std::filesystem::path>> stored_presses(

@@ -334,10 +334,9 @@ Result<FingerCalibration> recall_residuals(const fs::path& folder, FingerCalibra
                                            const Job& job) {
   CalibrationWork work;
   work.store = FingerStore::of(folder);
-  work.is_repetition = true;
   work.stored = recalled.inputs;
-  for (const StoredPress& press : work.stored.presses)
-    work.presses.files.push_back(folder / kPressFolder / (press.name + ".png"));
+  for (const StoredPress& press : work.stored->presses)
+    work.presses.files.push_back(stored_press_file(folder, press.name));
   if (const Status taken = take_presses(work, recalled, job); !taken) return taken.error();
   std::vector<const Press*> used;
   std::vector<PressSign> signs;
@@ -371,26 +370,6 @@ std::string stamp_of(const fs::path& file) {
   return failed ? file.string() + " absent"
                 : fmt::format("{} {} {}", file.string(), size, written.time_since_epoch().count());
 }
-
-/// States of references by their files: requested at every refresh of a window.
-class StateCache {
- public:
-  [[nodiscard]] std::optional<ReferenceState> find(const std::string& key) {
-    const std::lock_guard lock(mutex_);
-    const auto found = states_.find(key);
-    return found == states_.end() ? std::nullopt : std::optional(found->second);
-  }
-  void put(const std::string& key, ReferenceState state) {
-    constexpr std::size_t kMost = 1000;
-    const std::lock_guard lock(mutex_);
-    if (states_.size() >= kMost) states_.clear();
-    states_[key] = state;
-  }
-
- private:
-  std::mutex mutex_;
-  std::map<std::string, ReferenceState> states_;
-};
 
 ReferenceState recording_state(const FingerSnapshot& snapshot) {
   const ReferenceFiles& files = *snapshot.finger.reference;
@@ -439,12 +418,19 @@ ReferenceState reference_state(const FingerSnapshot& snapshot) {
                   snapshot.finger.marker_count());
   for (const std::string& name : {reference->image, reference->video, reference->markers})
     if (!name.empty()) key += '\n' + stamp_of(snapshot.folder / name);
-  static StateCache cache;
-  if (const auto known = cache.find(key)) return *known;
+  // States by the files: requested at every refresh of a window.
+  static std::mutex mutex;
+  static std::map<std::string, ReferenceState> states;
+  {
+    const std::lock_guard lock(mutex);
+    if (const auto known = states.find(key); known != states.end()) return known->second;
+  }
   const ReferenceState state =
       reference->image.empty() ? recording_state(snapshot) : image_state(snapshot);
-  cache.put(key, state);
-  return state;
+  constexpr std::size_t kMaxStates = 1000;
+  const std::lock_guard lock(mutex);
+  if (states.size() >= kMaxStates) states.clear();
+  return states[key] = state;
 }
 
 CalibrationEvidence evidence_in(const FingerSnapshot& snapshot, const std::string& now,
@@ -460,9 +446,7 @@ CalibrationEvidence evidence_in(const FingerSnapshot& snapshot, const std::strin
         inputs && !inputs->finger_checksum.empty() &&
         inputs->finger_checksum != finger_checksum(finger))
       evidence.changed.push_back(en::say("camera, face or markers"));
-  const auto made = snapshot.finger.provenance.find("calibration_date");
-  for (const std::string& time :
-       {made == snapshot.finger.provenance.end() ? std::string() : made->second, passed})
+  for (const std::string& time : {provenance_of(snapshot.finger, "calibration_date"), passed})
     if (const auto days = days_between(time, now))
       evidence.days_unchecked = std::min(*days, evidence.days_unchecked.value_or(*days));
   return evidence;

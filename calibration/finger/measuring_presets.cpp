@@ -15,18 +15,14 @@ namespace fs = std::filesystem;
 
 constexpr Limits kFigure{0.0, 1e6};
 
-/// Content of measuring.yaml, with settings as differences.
+/// Settings by their names.
+using Changes = std::map<std::string, std::string>;
+
+/// Content of measuring.yaml: settings are differences, those in `stored` are not set.
 struct MeasuringFile {
-  struct Preset {
-    std::string name;
-    double frame_ms = 0, median_mm = 0, p95_mm = 0;
-    std::map<std::string, std::string> changes;
-  };
-  std::string used;
-  std::map<std::string, std::string> used_changes;
-  std::string date, program_version, machine, about;
-  std::map<std::string, std::string> base;
-  std::vector<Preset> presets;
+  MeasuringPresets stored;
+  Changes used_changes, base;
+  std::map<std::string, Changes> preset_changes;  ///< by the presets' names
 };
 
 const Setting<PipelineSettings>* setting_named(const std::string& name) {
@@ -37,8 +33,8 @@ const Setting<PipelineSettings>* setting_named(const std::string& name) {
 
 /// Rejects values that this version cannot set. Requested settings of another version are
 /// preserved, but not used.
-std::map<std::string, std::string> read_changes(YamlSection section) {
-  std::map<std::string, std::string> changes;
+Changes read_changes(YamlSection section) {
+  Changes changes;
   for (const auto& [name, value] : section.all_texts()) {
     const auto* setting = setting_named(name);
     if (setting == nullptr)
@@ -51,14 +47,15 @@ std::map<std::string, std::string> read_changes(YamlSection section) {
   return changes;
 }
 
-MeasuringFile::Preset read_preset(const std::string& name, YamlSection section) {
-  MeasuringFile::Preset preset;
+void read_preset(const std::string& name, YamlSection section, MeasuringFile& file) {
+  MeasuringPreset preset;
   preset.name = name;
   preset.frame_ms = section.number("frame_ms", kFigure);
   preset.median_mm = section.number("median_mm", kFigure);
   preset.p95_mm = section.number("p95_mm", kFigure);
-  if (section.has_section("settings")) preset.changes = read_changes(section.section("settings"));
-  return preset;
+  file.stored.presets.push_back(std::move(preset));
+  if (section.has_section("settings"))
+    file.preset_changes[name] = read_changes(section.section("settings"));
 }
 
 MeasuringFile read_measuring(YamlSection& top) {
@@ -66,20 +63,19 @@ MeasuringFile read_measuring(YamlSection& top) {
   if (const std::string format = top.text("format"); format != MeasuringPresets::kFormat)
     top.refuse("format", en::say("'{}' cannot be read by this version", printable(format)),
                en::say("studying the finger again"));
-  if (top.has("used")) file.used = top.text("used");
+  if (top.has("used")) file.stored.used = top.text("used");
   if (top.has_section("used_settings"))
     file.used_changes = read_changes(top.section("used_settings"));
   if (!top.has_section("study")) return file;
   YamlSection study = top.section("study");
-  file.date = study.text("date");
-  file.program_version = study.text("program_version");
-  file.machine = study.text("machine");
-  file.about = study.text("about");
+  file.stored.date = study.text("date");
+  file.stored.program_version = study.text("program_version");
+  file.stored.machine = study.text("machine");
+  file.stored.about = study.text("about");
   file.base = read_changes(top.section("base"));
   if (!top.has_section("presets")) return file;
   YamlSection presets = top.section("presets");
-  for (const std::string& name : presets.keys())
-    file.presets.push_back(read_preset(name, presets.section(name)));
+  for (const std::string& name : presets.keys()) read_preset(name, presets.section(name), file);
   return file;
 }
 
@@ -98,7 +94,7 @@ Result<MeasuringFile> load_measuring(const fs::path& folder) {
   return file;
 }
 
-std::string in_braces(const std::map<std::string, std::string>& values) {
+std::string in_braces(const Changes& values) {
   YamlBlock block("");
   for (const auto& setting : pipeline_settings())
     if (const auto found = values.find(setting.name); found != values.end())
@@ -107,37 +103,39 @@ std::string in_braces(const std::map<std::string, std::string>& values) {
 }
 
 std::string yaml_of(const MeasuringFile& file) {
+  const MeasuringPresets& stored = file.stored;
   YamlBlock head("");
   head.add("format", MeasuringPresets::kFormat);
-  if (!file.used.empty()) {
-    head.add("used", yaml_text(file.used));
+  if (!stored.used.empty()) {
+    head.add("used", yaml_text(stored.used));
     if (!file.used_changes.empty()) head.add("used_settings", in_braces(file.used_changes));
   }
   std::string text = head.on_many_lines();
-  if (file.date.empty()) return text;
+  if (stored.date.empty()) return text;
   YamlBlock study("study");
-  study.add("date", yaml_text(file.date));
-  study.add("program_version", yaml_text(file.program_version));
-  study.add("machine", yaml_text(file.machine));
-  study.add("about", yaml_text(file.about));
+  study.add("date", yaml_text(stored.date));
+  study.add("program_version", yaml_text(stored.program_version));
+  study.add("machine", yaml_text(stored.machine));
+  study.add("about", yaml_text(stored.about));
   text += study.on_many_lines();
   YamlBlock rest("");
   rest.add("base", in_braces(file.base));
   text += rest.on_many_lines();
   YamlBlock presets("presets");
-  for (const auto& preset : file.presets) {
+  for (const auto& preset : stored.presets) {
     YamlBlock one("");
     one.add("frame_ms", yaml_number(preset.frame_ms));
     one.add("median_mm", yaml_number(preset.median_mm));
     one.add("p95_mm", yaml_number(preset.p95_mm));
-    if (!preset.changes.empty()) one.add("settings", in_braces(preset.changes));
+    if (const auto changes = file.preset_changes.find(preset.name);
+        changes != file.preset_changes.end() && !changes->second.empty())
+      one.add("settings", in_braces(changes->second));
     presets.add(preset.name, one.in_braces());
   }
   return presets.is_empty() ? text : text + presets.on_many_lines();
 }
 
-PipelineSettings with_changes(PipelineSettings settings,
-                              const std::map<std::string, std::string>& changes) {
+PipelineSettings with_changes(PipelineSettings settings, const Changes& changes) {
   for (const auto& [name, value] : changes) {
     [[maybe_unused]] const Status status = setting_named(name)->set(settings, value);
     assert(status.ok());  // was checked when it was read
@@ -145,9 +143,8 @@ PipelineSettings with_changes(PipelineSettings settings,
   return settings;
 }
 
-std::map<std::string, std::string> changes_between(const PipelineSettings& base,
-                                                   const PipelineSettings& settings) {
-  std::map<std::string, std::string> changes;
+Changes changes_between(const PipelineSettings& base, const PipelineSettings& settings) {
+  Changes changes;
   for (const auto& setting : pipeline_settings())
     if (setting.get(settings) != setting.get(base)) changes[setting.name] = setting.get(settings);
   return changes;
@@ -172,38 +169,30 @@ const MeasuringPreset* MeasuringPresets::find(const std::string& name) const {
 }
 
 Result<MeasuringPresets> presets_of_finger(const fs::path& folder) {
-  const auto file = load_measuring(folder);
+  auto file = load_measuring(folder);
   if (!file) return file.error();
-  MeasuringPresets stored;
+  MeasuringPresets stored = std::move(file->stored);
   stored.calibrated = calibrated_settings(folder);
   stored.now = with_changes(stored.calibrated, file->used_changes);
-  stored.used = file->used;
-  stored.date = file->date;
-  stored.program_version = file->program_version;
-  stored.machine = file->machine;
-  stored.about = file->about;
   // A setting that the file does not name did not exist at that time: it had its default value.
-  stored.is_stale = !file->date.empty() &&
+  stored.is_stale = !stored.date.empty() &&
                     !changes_between(stored.calibrated, with_changes({}, file->base)).empty();
-  for (const auto& preset : file->presets)
-    stored.presets.push_back({preset.name, with_changes(stored.calibrated, preset.changes),
-                              preset.frame_ms, preset.median_mm, preset.p95_mm});
+  for (MeasuringPreset& preset : stored.presets)
+    preset.settings = with_changes(stored.calibrated, file->preset_changes[preset.name]);
   return stored;
 }
 
 Status save_presets(FingerStore& store, const MeasuringPresets& presets) {
   return change_file(store, [&](MeasuringFile& file) {
-    file.date = presets.date;
-    file.program_version = presets.program_version;
-    file.machine = presets.machine;
-    file.about = presets.about;
+    const std::string used = file.stored.used;
+    file.stored = presets;
+    file.stored.used = used;
     file.base.clear();
     for (const auto& setting : pipeline_settings())
       file.base[setting.name] = setting.get(presets.calibrated);
-    file.presets.clear();
+    file.preset_changes.clear();
     for (const MeasuringPreset& preset : presets.presets)
-      file.presets.push_back({preset.name, preset.frame_ms, preset.median_mm, preset.p95_mm,
-                              changes_between(presets.calibrated, preset.settings)});
+      file.preset_changes[preset.name] = changes_between(presets.calibrated, preset.settings);
   });
 }
 
@@ -211,7 +200,7 @@ Status use_settings(FingerStore& store, const PipelineSettings& settings, const 
   assert(!name.empty());
   const PipelineSettings base = calibrated_settings(store.folder());
   return change_file(store, [&](MeasuringFile& file) {
-    file.used = name;
+    file.stored.used = name;
     file.used_changes = changes_between(base, settings);
   });
 }
@@ -220,7 +209,7 @@ Status use_calibrated_settings(FingerStore& store) {
   std::error_code failed;
   if (!fs::exists(file_in(store.folder()), failed)) return {};
   return change_file(store, [](MeasuringFile& file) {
-    file.used.clear();
+    file.stored.used.clear();
     file.used_changes.clear();
   });
 }

@@ -16,7 +16,6 @@
 #include "core/sensing/pipeline_settings.h"
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 

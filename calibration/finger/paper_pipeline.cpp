@@ -2,33 +2,8 @@
 
 #include "calibration/finger/calibration_inputs.h"
 #include "calibration/joint/outline_methods.h"
-#include "core/image/image_file.h"
 
 namespace alltact {
-namespace {
-
-bool is_calibrated_as_paper(const FingerSnapshot& finger) {
-  const auto& record = finger.finger.mapping_record;
-  return finger.mapping && record && record->method == method_name(CalibrationMethod::kPaper);
-}
-
-Result<std::vector<FramePtr>> read_stored_frames(const FingerSnapshot& finger,
-                                                 const CalibrationInputs& inputs) {
-  std::vector<FramePtr> frames;
-  for (const StoredPress& press : inputs.presses) {
-    const auto file = finger.folder / kPressFolder / (press.name + ".png");
-    auto grey = read_grey_image(file);
-    if (!grey) return grey.error();
-    auto frame = std::make_shared<Frame>();
-    frame->grey = std::move(grey).value();
-    frame->name = press.name;
-    frame->origin = file.string();
-    frames.push_back(std::move(frame));
-  }
-  return frames;
-}
-
-}  // namespace
 
 Result<std::vector<Press>> paper_presses(PaperMethod& method, const std::vector<FramePtr>& frames,
                                          const PressSet& press_set, const Job& job) {
@@ -56,7 +31,8 @@ Result<std::vector<Press>> paper_presses(PaperMethod& method, const std::vector<
 }
 
 Result<Pipeline> paper_pipeline(const FingerSnapshot& finger, const Job& job) {
-  if (is_calibrated_as_paper(finger)) {
+  const auto& record = finger.finger.mapping_record;
+  if (finger.mapping && record && record->method == method_name(CalibrationMethod::kPaper)) {
     auto method = PaperMethod::create(finger, job);
     if (!method) return method.error();
     return Pipeline(std::make_unique<PaperMethod>(std::move(method).value()));
@@ -67,11 +43,15 @@ Result<Pipeline> paper_pipeline(const FingerSnapshot& finger, const Job& job) {
                          "stored presses for it"),
                  (finger.folder / CalibrationInputs::kFileName).string(),
                  en::say("alltact calibrate with ball presses")};
-  const auto frames = read_stored_frames(finger, *inputs);
-  if (!frames) return frames.error();
+  std::vector<FramePtr> frames;
+  for (const StoredPress& press : inputs->presses) {
+    auto frame = read_stored_press(finger.folder, press.name);
+    if (!frame) return frame.error();
+    frames.push_back(std::move(frame).value());
+  }
   auto method = PaperMethod::create(finger.without_mapping(), job);
   if (!method) return method.error();
-  const auto presses = paper_presses(*method, *frames, inputs->press_set, job);
+  const auto presses = paper_presses(*method, frames, inputs->press_set, job);
   if (!presses) return presses.error();
   const auto calibration = calibrate_as_paper(*presses, finger.camera, finger.finger.face, job);
   if (!calibration) return calibration.error();

@@ -3,7 +3,6 @@
 #include "calibration/joint/contact_model.h"
 #include "calibration/joint/joint_fit.h"
 #include "calibration/joint/mapping_curve.h"
-#include "calibration/joint/model_choice.h"
 #include "calibration/joint/outline_methods.h"
 #include "calibration/joint/step_press.h"
 #include "calibration/presses/press.h"
@@ -15,7 +14,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <functional>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -26,14 +24,6 @@
 
 namespace alltact {
 namespace {
-
-/// A press with its ball.
-struct FoundBall {
-  const Press* press;
-  BallGuess guess;
-  PressSamples fine, coarse;   ///< for the solution; for the choice of the model
-  double tangent_arc_deg = 0;  ///< of the outline that entered the fit
-};
 
 constexpr int kFineSamples = 1500;   // a press, for the solution
 constexpr int kCoarseSamples = 400;  // a press, for the choice of the model
@@ -108,14 +98,6 @@ std::vector<FoundBall> find_balls(const std::vector<Press>& presses, const Face&
   return found;
 }
 
-/// A press of a ball, thinned twice.
-struct MeasuredPress {
-  std::string name;
-  Eigen::Vector3d centre_mm;  ///< start of the fit
-  PressSamples* coarse;
-  PressSamples* fine;
-};
-
 constexpr double kFar = 4.0;  // standard deviations
 
 bool is_far(double measured, double seen, double measured_sd, double seen_sd) {
@@ -151,31 +133,31 @@ std::vector<StepFit> steps_of(const std::vector<StepSamples>& steps, const Mappi
 /// Solves from the images alone and drops measured depths and steps that contradict the solution.
 /// The limit is four standard deviations of both: a gauge that was not set to zero must not stretch
 /// all depths. Returns the reasons. Drops nothing where the images alone leave the depth open.
-std::vector<Message> drop_contradicting(const std::vector<MeasuredPress>& presses,
+std::vector<Message> drop_contradicting(std::vector<FoundBall>& presses,
                                         std::vector<StepSamples>& steps,
                                         const CalibrationSettings& settings, const Job& job) {
-  const bool any_depth = std::any_of(presses.begin(), presses.end(), [](const MeasuredPress& one) {
-    return one.fine->given_depth.has_value();
+  const bool any_depth = std::any_of(presses.begin(), presses.end(), [](const FoundBall& one) {
+    return one.fine.given_depth.has_value();
   });
   if (!any_depth && steps.empty()) return {};
   ChoiceInput images_only;
   std::vector<PressSamples> without_depths;
-  for (const MeasuredPress& one : presses) {
-    without_depths.push_back(*one.coarse);
+  for (const FoundBall& one : presses) {
+    without_depths.push_back(one.coarse);
     without_depths.back().given_depth.reset();
-    images_only.centres_mm.push_back(one.centre_mm);
+    images_only.centres_mm.push_back(one.guess.centre_mm);
   }
   for (const PressSamples& samples : without_depths) images_only.presses.push_back(&samples);
   const auto choice = choose_model(images_only, settings, job);
   if (!choice) return {};
   const Eigen::MatrixXd covariance =
-      covariance_of(images_only.presses, choice->fit, choice->options).covariance;
+      covariance_of(images_only.presses, choice->fit, choice->options);
   if (covariance.size() == 0) return {};
 
   std::vector<Message> reasons;
   const Eigen::Index numbers = choice->fit.curve.values().size();
   for (std::size_t i = 0; i < presses.size(); ++i) {
-    const auto& measured = presses[i].fine->given_depth;
+    const auto& measured = presses[i].fine.given_depth;
     if (!measured) continue;
     const Eigen::Vector3d& centre = choice->fit.centres_mm[i];
     const PressedPlane plane = plane_below(without_depths[i], centre);
@@ -185,13 +167,13 @@ std::vector<Message> drop_contradicting(const std::vector<MeasuredPress>& presse
         std::max(0.0, plane.normal.dot(covariance.block<3, 3>(first, first) * plane.normal)));
     if (!is_far(measured->mm, seen_mm, measured->sd_mm, seen_sd_mm)) continue;
     reasons.push_back(en::at(
-        Message::typed(presses[i].name),
+        Message::typed(presses[i].press->name),
         en::say(
             "its measured depth of {:.3f} +- {:.3f} mm was left out, because the images show "
             "{:.3f} +- {:.3f} mm; depth counts from the ball's first contact, normal to the face",
             measured->mm, measured->sd_mm, seen_mm, seen_sd_mm)));
-    presses[i].coarse->given_depth.reset();
-    presses[i].fine->given_depth.reset();
+    presses[i].coarse.given_depth.reset();
+    presses[i].fine.given_depth.reset();
   }
   std::erase_if(steps, [&](const StepSamples& step) {
     const MappingCurve& curve = choice->fit.curve;
@@ -241,7 +223,7 @@ JointOptions with_inner_zone(JointOptions options) {
 }
 
 std::vector<BallFit> balls_of(const std::vector<FoundBall>& found, const ModelChoice& choice,
-                              const JointFit& fit, const JointCovariance& covariance,
+                              const JointFit& fit, const Eigen::MatrixXd& covariance,
                               const Job& job) {
   std::vector<const PressSamples*> presses;
   for (const FoundBall& f : found) presses.push_back(&f.fine);
@@ -253,9 +235,9 @@ std::vector<BallFit> balls_of(const std::vector<FoundBall>& found, const ModelCh
     ball.radius_mm = found[i].press->ball_radius_mm;
     ball.centre_mm = fit.centres_mm[i];
     ball.centre_sd_mm.setZero();
-    if (covariance.covariance.size() > 0) {
+    if (covariance.size() > 0) {
       const Eigen::Index first = fit.curve.values().size() + 3 * static_cast<Eigen::Index>(i);
-      ball.centre_sd_mm = covariance.covariance.diagonal().segment<3>(first).cwiseSqrt();
+      ball.centre_sd_mm = covariance.diagonal().segment<3>(first).cwiseSqrt();
     }
     ball.depth_mm = deepest_mm(found[i], ball.centre_mm);
     // The same measure and samples as for held-out presses.
@@ -338,9 +320,7 @@ JointFit fit_finely(std::vector<FoundBall>& found, const ModelChoice& choice, co
   std::vector<const PressSamples*> presses;
   for (const FoundBall& f : found) presses.push_back(&f.fine);
   JointOptions options = choice.options;
-  const std::function<void(int, double, const JointFit&)> report_round = [&](int round,
-                                                                             double change_mm,
-                                                                             const JointFit& now) {
+  options.watch = [&](int round, double change_mm, const JointFit& now) {
     job.report(0.9, en::say("solving: round {}, unknowns change by {:.1e} mm", round, change_mm));
     if (!on_round) return;
     double residual_mm = 0;
@@ -348,7 +328,6 @@ JointFit fit_finely(std::vector<FoundBall>& found, const ModelChoice& choice, co
       residual_mm += each_mm / static_cast<double>(presses.size());
     on_round({round, residual_mm, change_mm});
   };
-  options.watch = &report_round;
   JointFit fit = fit_jointly(presses, choice.fit, options, job);
   if (!fit.converged) return choice.fit;  // stopped: returns the best so far
   bool seen = false;
@@ -364,20 +343,11 @@ JointFit fit_finely(std::vector<FoundBall>& found, const ModelChoice& choice, co
   return with_outlines.converged ? with_outlines : fit;
 }
 
-/// Removes measured depths and steps that contradict the images.
-void check_measured(std::vector<FoundBall>& found, std::vector<StepSamples>& steps,
-                    const CalibrationSettings& settings, const Job& job, Calibration* calibration) {
-  std::vector<MeasuredPress> presses;
-  for (FoundBall& f : found)
-    presses.push_back({f.press->name, f.guess.centre_mm, &f.coarse, &f.fine});
-  for (Message& reason : drop_contradicting(presses, steps, settings, job))
-    calibration->left_out.push_back(std::move(reason));
-}
-
-Result<Calibration> solve_jointly(std::vector<FoundBall> found, std::vector<StepSamples> steps,
+Result<Calibration> solve_jointly(const std::vector<Press>& presses, std::vector<FoundBall> found,
                                   const Face& face, const CalibrationSettings& settings,
                                   const Job& job, const RoundListener& on_round,
                                   Calibration calibration) {
+  std::vector<StepSamples> steps = find_steps(presses, face, &calibration.left_out);
   std::vector<const PressSamples*> fine;
   for (const FoundBall& f : found) fine.push_back(&f.fine);
   const PressedArea part = pressed_area(fine);
@@ -386,7 +356,8 @@ Result<Calibration> solve_jointly(std::vector<FoundBall> found, std::vector<Step
     set_unit_positions(part, &f.coarse);
   }
   for (StepSamples& step : steps) set_unit_positions(part, &step.samples);
-  check_measured(found, steps, settings, job, &calibration);
+  for (Message& reason : drop_contradicting(found, steps, settings, job))
+    calibration.left_out.push_back(std::move(reason));
   ChoiceInput coarse;
   coarse.max_rounds = settings.iterations;
   if (!steps.empty()) coarse.steps = &steps;
@@ -414,13 +385,15 @@ Result<Calibration> solve_jointly(std::vector<FoundBall> found, std::vector<Step
       fit = fit_finely(found, *choice, job, on_round);
     }
   }
-  const JointCovariance covariance = covariance_of(fine, fit, choice->options);
+  const Eigen::MatrixXd covariance =
+      covariance_of(fine, fit, choice->options, &calibration.condition);
 
   calibration.mapping = mapping_parameters(fit.curve, choice->options.along, part);
   const Eigen::Index n = fit.curve.values().size();
-  if (covariance.covariance.size() > 0) {
-    const Eigen::MatrixXd by_values = stored_form(fit.curve).by_values;
-    const Eigen::MatrixXd by_residuals = covariance.covariance.topLeftCorner(n, n);
+  if (covariance.size() > 0) {
+    Eigen::MatrixXd by_values;
+    (void)stored_form(fit.curve, &by_values);
+    const Eigen::MatrixXd by_residuals = covariance.topLeftCorner(n, n);
     // The jackknife may exceed the covariance of the residuals.
     const double inflation =
         std::max(1.0, choice->spread_mm / mean_error_mm(fit.curve, by_residuals));
@@ -431,8 +404,8 @@ Result<Calibration> solve_jointly(std::vector<FoundBall> found, std::vector<Step
   if (const auto mapping = Mapping::create(calibration.mapping); !mapping)
     return Error{en::say("the solution is not a valid mapping: {}", mapping.error().what), "",
                  en::say("more presses of different depth, or a lower degree")};
-  if (covariance.covariance.size() > 0)
-    calibration.weakest = weakest_direction(fit.curve, covariance.covariance.topLeftCorner(n, n));
+  if (covariance.size() > 0)
+    calibration.weakest = weakest_direction(fit.curve, covariance.topLeftCorner(n, n));
   if (!job.stop_requested())
     calibration.radius_sensitivity = vary_radius(coarse.presses, fit, choice->options, job);
   if (!job.stop_requested())
@@ -441,9 +414,8 @@ Result<Calibration> solve_jointly(std::vector<FoundBall> found, std::vector<Step
   calibration.steps = steps_of(steps, fit.curve, choice->options.along);
   calibration.residual_mm = mean_of(calibration.balls, &BallFit::residual_mm);
   calibration.held_out_mm = mean_of(calibration.balls, &BallFit::held_out_mm);
-  calibration.condition = covariance.condition;
   calibration.spread_mm = choice->spread_mm;
-  const Eigen::MatrixXd chance = chance_covariance_of(fine, fit, choice->options).covariance;
+  const Eigen::MatrixXd chance = chance_covariance_of(fine, fit, choice->options);
   if (chance.size() > 0 && found.size() > 1)
     calibration.spread_mm =
         std::max(calibration.spread_mm, mean_error_mm(fit.curve, chance.topLeftCorner(n, n)));
@@ -454,7 +426,7 @@ Result<Calibration> solve_jointly(std::vector<FoundBall> found, std::vector<Step
     calibration.remarks.push_back(
         en::say("one press cannot separate the ball's depth from the mapping: add presses of "
                 "different depth at other positions"));
-  if (covariance.covariance.size() == 0)
+  if (covariance.size() == 0)
     calibration.remarks.push_back(
         en::say("the presses do not determine every unknown: add presses"));
   return calibration;
@@ -477,16 +449,10 @@ Result<Calibration> calibrate(const std::vector<Press>& presses, const Camera& c
     const std::vector<FoundBall> found = find_balls(presses, face, job, &unusable);
     if (found.empty()) return job.stop_requested() ? stopped() : no_press(presses, unusable);
     for (const Message& reason : unusable) calibration.left_out.push_back(en::say("{}.", reason));
-    Result<Calibration> result = [&]() -> Result<Calibration> {
-      if (settings.method == CalibrationMethod::kJoint) {
-        auto steps = find_steps(presses, face, &calibration.left_out);
-        return solve_jointly(found, std::move(steps), face, settings, job, on_round,
-                             std::move(calibration));
-      }
-      std::vector<OutlinePress> outlines;
-      for (const FoundBall& f : found) outlines.push_back({f.press, f.guess});
-      return calibrate_by_outline(outlines, settings.method, face, job, std::move(calibration));
-    }();
+    Result<Calibration> result =
+        settings.method == CalibrationMethod::kJoint
+            ? solve_jointly(presses, found, face, settings, job, on_round, std::move(calibration))
+            : calibrate_by_outline(found, settings.method, face, job, std::move(calibration));
     if (result) sort_as_given(presses, &result->balls);
     job.report(1.0, en::say("done"));
     return result;

@@ -7,12 +7,6 @@
 #include <Eigen/Dense>
 
 namespace alltact {
-namespace {
-
-using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-}  // namespace
-
 CompressedCost::CompressedCost(std::unique_ptr<ceres::CostFunction> full) : full_(std::move(full)) {
   *mutable_parameter_block_sizes() = full_->parameter_block_sizes();
   for (const int size : parameter_block_sizes()) columns_ += size;
@@ -21,6 +15,7 @@ CompressedCost::CompressedCost(std::unique_ptr<ceres::CostFunction> full) : full
 
 bool CompressedCost::Evaluate(double const* const* parameters, double* residuals,
                               double** jacobians) const {
+  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   const int rows = full_->num_residuals();
   Eigen::Map<Eigen::VectorXd> few(residuals, num_residuals());
   Eigen::VectorXd many(rows);

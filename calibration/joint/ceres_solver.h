@@ -1,9 +1,12 @@
 // What the least-squares problems share that Ceres solves.
 #pragma once
 
+#include "core/base/job.h"
+
 #include <memory>
 
 #include <ceres/cost_function.h>
+#include <ceres/iteration_callback.h>
 #include <ceres/solver.h>
 
 namespace alltact {
@@ -21,6 +24,19 @@ namespace alltact {
   solver.num_threads = 1;
   return solver;
 }
+
+/// Ends the solver with `result` when its job is requested to stop.
+class StopWithJob final : public ceres::IterationCallback {
+ public:
+  StopWithJob(const Job& job, ceres::CallbackReturnType result) : job_(job), result_(result) {}
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary&) override {
+    return job_.stop_requested() ? result_ : ceres::SOLVER_CONTINUE;
+  }
+
+ private:
+  const Job& job_;
+  ceres::CallbackReturnType result_;
+};
 
 // Reduces a cost function with many residuals and few parameters to one with few residuals.
 

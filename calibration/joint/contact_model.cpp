@@ -123,6 +123,16 @@ double blur_mm(const Sample& sample, const PressSamples& press, const MappingCur
   return std::isfinite(blur) ? blur : 0.0;
 }
 
+namespace {
+
+/// Misfit of a sample to the ball: slope (x - g(d)), the noise of x as depth, mm. NaN where the
+/// ball or the curve gives none.
+struct Misfit {
+  double mm = 0;
+  double slope_mm = 0;   ///< dM/dx where M gives the ball's depth
+  double blur_mm = 0;    ///< see blur_mm()
+  double lifted_mm = 0;  ///< distance of the skin from the ball, outside the contact
+};
 Misfit misfit_of(const Sample& sample, const PressSamples& press, const MappingCurve& curve,
                  MappingAlong along, const Eigen::Vector3d& centre_mm, const PressedPlane& plane,
                  double lift_mm) {
@@ -136,6 +146,8 @@ Misfit misfit_of(const Sample& sample, const PressSamples& press, const MappingC
         depth - std::max(ball_depth_mm(sample, along, centre_mm, press.ball_radius_mm), 0.0);
   return misfit;
 }
+
+}  // namespace
 
 ContactDisc::ContactDisc(const PressSamples& press, MappingAlong along,
                          const Eigen::Vector3d& centre_mm)

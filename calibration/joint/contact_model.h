@@ -1,5 +1,5 @@
 // Contact of a ball and the skin: how deep both lie over a sample, with the lift-off of the skin at
-// the rim, the misfit of a sample, and its position in the contact.
+// the rim, and the position of a sample in the contact.
 #pragma once
 
 #include "calibration/joint/mapping_curve.h"
@@ -72,19 +72,6 @@ struct SkinDepth {
                              const MappingCurve& curve, MappingAlong along,
                              const Eigen::Vector3d& centre_mm, const PressedPlane& plane = {},
                              double lift_mm = 0.0);
-
-/// Misfit of a sample to the ball: slope (x - g(d)), the noise of x as depth, mm. NaN where the
-/// ball or the curve gives none.
-struct Misfit {
-  double mm = 0;
-  double slope_mm = 0;   ///< dM/dx where M gives the ball's depth
-  double blur_mm = 0;    ///< see blur_mm()
-  double lifted_mm = 0;  ///< distance of the skin from the ball, outside the contact
-};
-[[nodiscard]] Misfit misfit_of(const Sample& sample, const PressSamples& press,
-                               const MappingCurve& curve, MappingAlong along,
-                               const Eigen::Vector3d& centre_mm, const PressedPlane& plane = {},
-                               double lift_mm = 0.0);
 
 /// Position of samples in the contact: 0 at its middle, 1 at the rim of the ball's cap, where the
 /// skin would leave the ball without lift-off.

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -83,12 +82,6 @@ bool OutlineCost::Evaluate(double const* const* parameters, double* residuals,
   return true;
 }
 
-GivenDepthCost::GivenDepthCost(const WeightedPress& weighted) : weighted_(weighted) {
-  assert(weighted.given_depth);
-  set_num_residuals(1);
-  mutable_parameter_block_sizes()->push_back(3);
-}
-
 bool GivenDepthCost::Evaluate(double const* const* parameters, double* residuals,
                               double** jacobians) const {
   const Eigen::Vector3d centre(parameters[0]);
@@ -120,29 +113,18 @@ bool StepCost::Evaluate(double const* const* parameters, double* residuals,
   return true;
 }
 
-AbsorptionCost::AbsorptionCost(const MappingCurve& curve) : numbers_(curve.family().numbers()) {
+PriorCost::PriorCost(int numbers, int index, double mean, double sd)
+    : index_(index), mean_(mean), sd_(sd) {
   set_num_residuals(1);
-  mutable_parameter_block_sizes()->push_back(numbers_);
+  mutable_parameter_block_sizes()->push_back(numbers);
 }
 
-bool AbsorptionCost::Evaluate(double const* const* parameters, double* residuals,
-                              double** jacobians) const {
-  residuals[0] = kRootWeightOfKnown * (parameters[0][2] - kMean) / kSd;
+bool PriorCost::Evaluate(double const* const* parameters, double* residuals,
+                         double** jacobians) const {
+  residuals[0] = kRootWeightOfKnown * (parameters[0][index_] - mean_) / sd_;
   if (jacobians == nullptr || jacobians[0] == nullptr) return true;
-  std::fill_n(jacobians[0], numbers_, 0.0);
-  jacobians[0][2] = kRootWeightOfKnown / kSd;
-  return true;
-}
-
-LiftCost::LiftCost() {
-  set_num_residuals(1);
-  mutable_parameter_block_sizes()->push_back(1);
-}
-
-bool LiftCost::Evaluate(double const* const* parameters, double* residuals,
-                        double** jacobians) const {
-  residuals[0] = kRootWeightOfKnown * (parameters[0][0] - std::log(kTypicalLiftMm));
-  if (jacobians != nullptr && jacobians[0] != nullptr) jacobians[0][0] = kRootWeightOfKnown;
+  std::fill_n(jacobians[0], parameter_block_sizes()[0], 0.0);
+  jacobians[0][index_] = kRootWeightOfKnown / sd_;
   return true;
 }
 

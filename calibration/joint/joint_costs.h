@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <ceres/cost_function.h>
+#include <ceres/sized_cost_function.h>
 
 namespace alltact {
 
@@ -97,25 +98,28 @@ constexpr double kRootWeightOfKnown = 1.7;
 
 /// Prior of a layer's absorption over its scattering: clear silicone with white pigment absorbs
 /// little (NUMERICS of the layer: 0 to 0.2). Presses that determine it overrule the prior. The
-/// others must not fit a straight line by negative absorption. Parameter block: the mapping's
-/// numbers.
-class AbsorptionCost final : public ceres::CostFunction {
+/// others must not fit a straight line by negative absorption.
+constexpr double kAbsorptionMean = 0.05, kAbsorptionSd = 0.1;
+
+/// Prior of one number of a parameter block: the absorption (of the mapping's numbers), or the
+/// logarithm of the lift-off length (kTypicalLiftMm, within a factor of e).
+class PriorCost final : public ceres::CostFunction {
  public:
-  explicit AbsorptionCost(const MappingCurve& curve);
+  PriorCost(int numbers, int index, double mean, double sd);
   bool Evaluate(double const* const* parameters, double* residuals,
                 double** jacobians) const override;
-  static constexpr double kMean = 0.05, kSd = 0.1;
 
  private:
-  int numbers_;
+  int index_;
+  double mean_, sd_;
 };
 
 /// A measured press depth: (R - height of the centre over the face - depth) / sd. Parameter block:
 /// the ball's centre. The argument must outlive the cost.
-class GivenDepthCost final : public ceres::CostFunction {
+class GivenDepthCost final : public ceres::SizedCostFunction<1, 3> {
  public:
   /// `weighted.given_depth` must have a value.
-  explicit GivenDepthCost(const WeightedPress& weighted);
+  explicit GivenDepthCost(const WeightedPress& weighted) : weighted_(weighted) {}
   bool Evaluate(double const* const* parameters, double* residuals,
                 double** jacobians) const override;
 
@@ -136,15 +140,6 @@ class StepCost final : public ceres::CostFunction {
   const MappingCurve& curve_;
   MappingAlong along_;
   double sd_mm_ = 0;  ///< of the curve at construction: a weight must not change with the fit
-};
-
-/// Prior of the lift-off length: kTypicalLiftMm, within a factor of e. Parameter block: its
-/// logarithm.
-class LiftCost final : public ceres::CostFunction {
- public:
-  LiftCost();
-  bool Evaluate(double const* const* parameters, double* residuals,
-                double** jacobians) const override;
 };
 
 /// The angle by which a ray passes outside the ball (negative: meets it), and its derivative by the

@@ -19,17 +19,6 @@ constexpr double kLeftARound = 1e-8;       // of the sum of squares
 constexpr std::size_t kFewestForBall = 5;  // samples: a centre has three numbers
 constexpr std::size_t kFewestForAll = 6;
 
-class StopWithJob final : public ceres::IterationCallback {
- public:
-  explicit StopWithJob(const Job& job) : job_(job) {}
-  ceres::CallbackReturnType operator()(const ceres::IterationSummary&) override {
-    return job_.stop_requested() ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
-  }
-
- private:
-  const Job& job_;
-};
-
 /// Solves one weighted least-squares problem. False when nothing could be evaluated.
 bool solve(const std::vector<WeightedPress>& weighted, const JointOptions& options, const Job& job,
            JointFit* fit) {
@@ -56,15 +45,18 @@ bool solve(const std::vector<WeightedPress>& weighted, const JointOptions& optio
   if (options.fix_mapping)
     problem.SetParameterBlockConstant(fit->curve.values().data());
   else if (family.family().absorbs())
-    problem.AddResidualBlock(new AbsorptionCost(family), nullptr, fit->curve.values().data());
+    problem.AddResidualBlock(
+        new PriorCost(family.family().numbers(), 2, kAbsorptionMean, kAbsorptionSd), nullptr,
+        fit->curve.values().data());
   if (free_lift)
-    problem.AddResidualBlock(new LiftCost(), nullptr, &log_lift);
+    problem.AddResidualBlock(new PriorCost(1, 0, std::log(kTypicalLiftMm), 1.0), nullptr,
+                             &log_lift);
   else
     problem.SetParameterBlockConstant(&log_lift);
   ceres::Solver::Options solver = solver_settings();
   solver.max_num_iterations = kStepsARound;
   solver.function_tolerance = kLeftARound;
-  StopWithJob stop(job);
+  StopWithJob stop(job, ceres::SOLVER_TERMINATE_SUCCESSFULLY);
   solver.callbacks.push_back(&stop);
   ceres::Solver::Summary summary;
   ceres::Solve(solver, &problem, &summary);
@@ -102,7 +94,7 @@ JointFit fit_jointly(const std::vector<const PressSamples*>& presses, JointFit s
     const double change = change_between(next, fit);
     fit = std::move(next);
     fit.converged = true;
-    if (options.watch != nullptr) (*options.watch)(round + 1, change, fit);
+    if (options.watch) options.watch(round + 1, change, fit);
     if (change < options.settled_mm) break;
   }
   return fit;
@@ -158,19 +150,15 @@ JointFit straight_start(const ChoiceInput& input, MappingAlong along, double x_m
 }
 
 JointFit as_family(const JointFit& fit, CurveFamily family) {
-  if (fit.curve.family() == family) return fit;
+  const CurveFamily from = fit.curve.family();
+  if (from == family) return fit;
   MappingCurve curve(family, fit.curve.x_max());
-  if (fit.curve.family() == kMoebiusFamily && family == kLayerFamily) {
-    curve.values().head<2>() = fit.curve.values();
-    return {curve, fit.centres_mm, false, fit.lift_mm};
-  }
-  if (fit.curve.family().kind == family.kind &&
-      fit.curve.values().size() <= curve.values().size() &&
-      fit.curve.family().coefficients == family.coefficients) {
-    curve.values().head(fit.curve.values().size()) = fit.curve.values();
-    return {curve, fit.centres_mm, false, fit.lift_mm};
-  }
-  curve.set_line(fit.curve.depth_mm(fit.curve.x_max()) / fit.curve.x_max());
+  const bool varies_only = from.kind == family.kind && from.coefficients == family.coefficients &&
+                           from.numbers() <= family.numbers();
+  if (varies_only || (from == kMoebiusFamily && family == kLayerFamily))
+    curve.values().head(from.numbers()) = fit.curve.values();
+  else
+    curve.set_line(fit.curve.depth_mm(fit.curve.x_max()) / fit.curve.x_max());
   return {curve, fit.centres_mm, false, fit.lift_mm};
 }
 

@@ -10,13 +10,16 @@
 // do measured depths of presses and heights of the steps of punches.
 #pragma once
 
+#include "calibration/joint/calibration_settings.h"
 #include "calibration/joint/contact_model.h"
 #include "calibration/joint/mapping_curve.h"
 #include "calibration/joint/step_press.h"
 #include "calibration/presses/press.h"
 #include "core/base/job.h"
+#include "core/base/message.h"
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -34,8 +37,8 @@ struct JointOptions {
   bool free_lift = false;    ///< the lift-off length is an unknown, shared by all presses
   /// Punches whose steps the mapping shall reproduce; may be null.
   const std::vector<StepSamples>* steps = nullptr;
-  /// Called after every round with the change of the unknowns, mm, and the fit; may be null.
-  const std::function<void(int round, double change_mm, const JointFit& now)>* watch = nullptr;
+  /// Called after every round with the change of the unknowns, mm, and the fit; may be empty.
+  std::function<void(int round, double change_mm, const JointFit& now)> watch = {};
 };
 
 /// The state of a fit: its start and its result.
@@ -61,23 +64,20 @@ struct FitQuality {
 [[nodiscard]] FitQuality quality_of(const std::vector<const PressSamples*>& presses,
                                     const JointFit& fit, const JointOptions& options);
 
-/// Covariance of (mapping values, centres in order; then the lift-off's logarithm if it was free),
-/// and the condition of the scaled problem.
-struct JointCovariance {
-  Eigen::MatrixXd covariance;  ///< empty when the problem is singular; 0 for fixed unknowns
-  double condition = 0;
-};
-/// Covariance of the solution by its own residuals. Neighbouring samples share noise, by the
-/// correlation of their residuals. Each patch of a contact has a common error, by the patches'
-/// scatter beyond that noise. Each ring has an error common to all presses, by the rings' mean
-/// residuals, at least 0.003 mm, which no press would show. Rings outside the inner zone may hide
-/// as much again as the mean of a ring scatters: noise must not make a rim look certain. The form
-/// of the lift-off adds an error of each ring (kLiftPart). The optics' blur adds an error common to
-/// all presses.
-[[nodiscard]] JointCovariance covariance_of(const std::vector<const PressSamples*>& presses,
-                                            const JointFit& fit, const JointOptions& options);
+/// Covariance of (mapping values, centres in order; then the lift-off's logarithm if it was free)
+/// by the solution's own residuals; empty when the problem is singular, 0 for fixed unknowns.
+/// Neighbouring samples share noise, by the correlation of their residuals. Each patch of a contact
+/// has a common error, by the patches' scatter beyond that noise. Each ring has an error common to
+/// all presses, by the rings' mean residuals, at least 0.003 mm, which no press would show. Rings
+/// outside the inner zone may hide as much again as the mean of a ring scatters: noise must not
+/// make a rim look certain. The form of the lift-off adds an error of each ring (kLiftPart). The
+/// optics' blur adds an error common to all presses. `condition` (may be null): of the scaled
+/// problem; 0 when it is singular.
+[[nodiscard]] Eigen::MatrixXd covariance_of(const std::vector<const PressSamples*>& presses,
+                                            const JointFit& fit, const JointOptions& options,
+                                            double* condition = nullptr);
 /// The same without the errors of rings and optics that are common to all presses.
-[[nodiscard]] JointCovariance chance_covariance_of(const std::vector<const PressSamples*>& presses,
+[[nodiscard]] Eigen::MatrixXd chance_covariance_of(const std::vector<const PressSamples*>& presses,
                                                    const JointFit& fit,
                                                    const JointOptions& options);
 
@@ -104,5 +104,40 @@ inline constexpr CurveFamily kLayerFamily{MappingKind::kMoebius, 3};
 /// The same curve in another family where that contains it, else the straight line to its end.
 /// Balls and lift-off length stay.
 [[nodiscard]] JointFit as_family(const JointFit& fit, CurveFamily family);
+
+// Choice of the direction of the thickness, the family of the mapping and the zone of the contacts
+// by cross-validation over the presses.
+
+struct ModelChoice {
+  JointOptions options;             ///< `along` and `zone`
+  JointFit fit;                     ///< of the chosen family, as a start
+  std::vector<double> held_out_mm;  ///< one for each press; empty with one press
+  double spread_mm = 0;             ///< see Calibration::spread_mm; 0 with one press
+  Message sentence;                 ///< the reason
+  std::vector<Message> remarks;
+};
+
+/// Families are compared by their mean absolute error inside the contact of a held-out press, to
+/// which only the ball is fitted. Among those within one standard error of the best the simplest
+/// wins, Moebius before polynomials of two and more coefficients.
+///
+/// Contacts are read within 0.65 of their rim, where skin and ball touch on any material (Hertz:
+/// 0.71). Where chance leaves more than a hundredth of the depth open then, the zone is wider. It
+/// reaches as far out as skin and ball touch by the lift-off (contact_model.h) that all presses
+/// determine, and as the common residuals of the rings are explained. The direction of the
+/// thickness is chosen first, by the family of layers. With five presses and more the mapping may
+/// vary over the face, when held-out presses agree clearly better then. nullopt when no family gave
+/// an increasing curve, or the job was stopped before one had.
+[[nodiscard]] std::optional<ModelChoice> choose_model(const ChoiceInput& input,
+                                                      const CalibrationSettings& settings,
+                                                      const Job& job);
+
+/// The error of a mapping in one press, mm, mean absolute in the inner zone of its contact
+/// (kInnerZone). The ball is fitted to that zone alone, from `centre_mm` on. The mapping and the
+/// lift-off length of `mapping` are fixed. It measures both residuals (the mapping was fitted to
+/// the press) and held-out presses (it was not). Infinite where no ball fits.
+[[nodiscard]] double error_of_press(const PressSamples& press, const JointFit& mapping,
+                                    const Eigen::Vector3d& centre_mm, const JointOptions& options,
+                                    const Job& job);
 
 }  // namespace alltact

@@ -213,10 +213,12 @@ double MappingCurve::slope(const double* values, double x) const {
   return sum + at * derivative * 2.0 / x_max_;
 }
 
-StoredCurve stored_form(const MappingCurve& curve) {
+MappingCurve stored_form(const MappingCurve& curve, Eigen::MatrixXd* by_values) {
   const CurveFamily family = curve.family();
-  if (!family.absorbs())
-    return {curve, Eigen::MatrixXd::Identity(family.numbers(), family.numbers())};
+  if (!family.absorbs()) {
+    if (by_values != nullptr) by_values->setIdentity(family.numbers(), family.numbers());
+    return curve;
+  }
   constexpr int kFewest = 4, kMax = 12, kPoints = 200;
   constexpr double kCloseMm = 2e-5;
   const double x_max = curve.x_max();
@@ -224,7 +226,7 @@ StoredCurve stored_form(const MappingCurve& curve) {
     // Chebyshev's sums over the zeros of T_n: exact for all that a polynomial of n numbers can
     // represent.
     MappingCurve stored({MappingKind::kPolynomial, n, family.varies}, x_max);
-    Eigen::MatrixXd by_values = Eigen::MatrixXd::Zero(stored.values().size(), family.numbers());
+    Eigen::MatrixXd derivative = Eigen::MatrixXd::Zero(stored.values().size(), family.numbers());
     Eigen::VectorXd gradient(family.numbers());
     for (int i = 0; i < n; ++i) {
       const double turn = M_PI * (i + 0.5) / n, x = 0.5 * x_max * (1.0 + std::cos(turn));
@@ -232,19 +234,21 @@ StoredCurve stored_form(const MappingCurve& curve) {
       for (int k = 0; k < n; ++k) {
         const double weight = (k == 0 ? 1.0 : 2.0) / n * std::cos(k * turn);
         stored.values()[k] += weight * read;
-        by_values.row(k).head<3>() += weight / x * gradient.head<3>().transpose();
+        derivative.row(k).head<3>() += weight / x * gradient.head<3>().transpose();
       }
     }
     if (family.varies) {
       stored.values().tail<2>() = curve.values().tail<2>();
-      by_values.bottomRightCorner<2, 2>().setIdentity();
+      derivative.bottomRightCorner<2, 2>().setIdentity();
     }
     double deviation_mm = 0;
     for (int i = 1; i <= kPoints; ++i) {
       const double x = x_max * i / kPoints;
       deviation_mm = std::max(deviation_mm, std::abs(stored.depth_mm(x) - curve.depth_mm(x)));
     }
-    if (deviation_mm < kCloseMm || n >= kMax) return {stored, by_values};
+    if (!(deviation_mm < kCloseMm) && n < kMax) continue;
+    if (by_values != nullptr) *by_values = std::move(derivative);
+    return stored;
   }
 }
 
@@ -265,7 +269,7 @@ MappingCurve curve_of(const MappingParameters& parameters) {
 MappingParameters mapping_parameters(const MappingCurve& curve, MappingAlong along,
                                      const PressedArea& part) {
   MappingParameters parameters;
-  const MappingCurve stored = stored_form(curve).curve;
+  const MappingCurve stored = stored_form(curve);
   parameters.kind = stored.family().kind;
   parameters.along = along;
   parameters.x_max = stored.x_max();

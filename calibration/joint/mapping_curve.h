@@ -5,8 +5,6 @@
 #include "core/base/message.h"
 #include "core/finger/mapping.h"
 
-#include <vector>
-
 #include <Eigen/Core>
 
 namespace alltact {
@@ -87,12 +85,10 @@ class MappingCurve {
 };
 
 /// A curve as finger files store it. For an absorbing layer it is a polynomial within 0.0006 mm of
-/// the curve. `by_values`: derivative of the stored coefficients by the curve's values.
-struct StoredCurve {
-  MappingCurve curve;
-  Eigen::MatrixXd by_values;
-};
-[[nodiscard]] StoredCurve stored_form(const MappingCurve& curve);
+/// the curve. `by_values` (may be null): derivative of the stored coefficients by the curve's
+/// values.
+[[nodiscard]] MappingCurve stored_form(const MappingCurve& curve,
+                                       Eigen::MatrixXd* by_values = nullptr);
 
 /// The curve of a stored mapping, with its variation over the face.
 [[nodiscard]] MappingCurve curve_of(const MappingParameters& parameters);

@@ -1,5 +1,3 @@
-#include "calibration/joint/model_choice.h"
-
 #include "calibration/joint/contact_model.h"
 #include "calibration/joint/joint_fit.h"
 #include "calibration/joint/mapping_curve.h"
@@ -18,6 +16,114 @@
 
 namespace alltact {
 namespace {
+
+// Cross-validation: fits without one press after the other, their errors on the press left out, and
+// a comparison of two such series.
+
+constexpr int kDomainPoints = 12;  // of the curve, where curves are compared
+// Held-out errors closer than this are ties. The balls take up ten times as much of a wrong scale
+// as they leave visible, so noise must not decide.
+constexpr double kTieMm = 0.001;
+constexpr double kSettledMm = 1e-5;  // precise enough for a choice of the model
+constexpr double kTiePart = 0.1;     // of the better error: closer errors are ties
+
+/// The contact's position on the face, by the ball fitted to it.
+ContactSpot spot_of(const PressSamples& press, const Eigen::Vector3d& centre_mm) {
+  const Sample* nearest = nearest_sample(press, centre_mm);
+  if (nearest == nullptr) return {};
+  const double height_mm = plane_below(press, centre_mm).height_mm(centre_mm);
+  const double rim2 = (press.ball_radius_mm - height_mm) * (press.ball_radius_mm + height_mm);
+  return {nearest->position_mm.x(), nearest->position_mm.y(), std::sqrt(std::max(0.0, rim2)), 0};
+}
+
+/// The position of each press, numbered from 0. With fewer than three positions each press has its
+/// own: one press alone does not show the scale.
+std::vector<int> positions_of(const ChoiceInput& input, const JointFit& all) {
+  std::vector<ContactSpot> spots;
+  for (std::size_t i = 0; i < input.presses.size(); ++i)
+    spots.push_back(spot_of(*input.presses[i], all.centres_mm[i]));
+  std::vector<int> positions = position_numbers(spots);
+  constexpr int kFewest = 3;
+  if (std::all_of(positions.begin(), positions.end(), [](int n) { return n + 1 < kFewest; }))
+    std::iota(positions.begin(), positions.end(), 0);
+  return positions;
+}
+
+/// The jackknife's mean absolute depth error of a curve over the domain; 0 for fewer than two
+/// curves.
+double spread_of(const std::vector<MappingCurve>& curves) {
+  const auto n = static_cast<double>(curves.size());
+  if (curves.size() < 2) return 0;
+  double spread = 0;
+  for (int i = 1; i <= kDomainPoints; ++i) {
+    const double x = curves.front().x_max() * i / kDomainPoints;
+    double mean = 0, squares = 0;
+    for (const MappingCurve& curve : curves) mean += curve.depth_mm(x) / n;
+    for (const MappingCurve& curve : curves) squares += std::pow(curve.depth_mm(x) - mean, 2);
+    spread += kMeanOfSd * std::sqrt(squares * (n - 1) / n) / kDomainPoints;
+  }
+  return spread;
+}
+
+/// Presses whose contacts lie closer together than the larger one's radius share a position. They
+/// are left out together, because a repeat would predict its likes. With fewer than three positions
+/// each press is left out separately. One error for each press, fewer when the job was stopped.
+/// Errors are infinite where the other presses gave no increasing curve: a family that one press
+/// can lead astray is not reliable. An error is the mean absolute one, error_of_press(), of the
+/// mapping fitted without the press's position. `all`: the fit of all presses, to start from.
+/// `spread_mm` (may be null): spread_of() the fitted curves.
+std::vector<double> hold_out(const ChoiceInput& input, const JointFit& all,
+                             const JointOptions& options, const Job& job,
+                             double* spread_mm = nullptr) {
+  const std::vector<int> positions = positions_of(input, all);
+  const int count =
+      positions.empty() ? 0 : 1 + *std::max_element(positions.begin(), positions.end());
+  std::vector<MappingCurve> curves;  // one for each position
+  std::vector<double> errors_mm(input.presses.size(), -1.0);
+  for (int left = 0; left < count && !job.stop_requested(); ++left) {
+    std::vector<const PressSamples*> others;
+    JointFit fit{all.curve, {}, false, all.lift_mm};
+    for (std::size_t i = 0; i < input.presses.size(); ++i) {
+      if (positions[i] == left) continue;
+      others.push_back(input.presses[i]);
+      fit.centres_mm.push_back(all.centres_mm[i]);
+    }
+    fit = fit_jointly(others, std::move(fit), options, job);
+    const bool is_good = fit.converged && increases(fit.curve, options.along);
+    for (std::size_t i = 0; i < input.presses.size(); ++i)
+      if (positions[i] == left)
+        errors_mm[i] = is_good
+                           ? error_of_press(*input.presses[i], fit, all.centres_mm[i], options, job)
+                           : std::numeric_limits<double>::infinity();
+    curves.push_back(std::move(fit.curve));
+  }
+  if (spread_mm != nullptr) *spread_mm = spread_of(curves);
+  // stopped before the others
+  errors_mm.erase(std::find_if(errors_mm.begin(), errors_mm.end(), [](double e) { return e < 0; }),
+                  errors_mm.end());
+  return errors_mm;
+}
+
+double mean_mm(const std::vector<double>& values) {
+  double mean = 0;
+  for (const double v : values) mean += v / static_cast<double>(values.size());
+  return mean;
+}
+
+/// Whether the errors `a` are no worse than `b` on the same presses: their mean excess is a tie, at
+/// most `part` of the mean of b, or within its standard error.
+bool is_no_worse(const std::vector<double>& a, const std::vector<double>& b,
+                 double part = kTiePart) {
+  const auto n = static_cast<double>(a.size());
+  double mean = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) mean += (a[i] - b[i]) / n;
+  double variance = 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    variance += (a[i] - b[i] - mean) * (a[i] - b[i] - mean) / (n - 1.0);
+  return mean <= std::max({kTieMm, part * mean_mm(b), std::sqrt(variance / n)});
+}
+
+// The choice.
 
 constexpr double kQuietRingMm = 0.002;  // mean residual of a ring that is always accepted
 constexpr double kRingExcess = 1.5;     // times the scatter of a ring's sectors
@@ -73,11 +179,9 @@ JointFit choose_zone(const ChoiceInput& input, JointFit fit, JointOptions* optio
   fit = fit_jointly(input.presses, as_family(fit, kLayerFamily), *options, job);
   *remark = inner_sentence(options->zone);
   // Any skin is in contact there. The zone further out is read only where it is needed.
-  if (relative_depth_sd(fit, chance_covariance_of(input.presses, fit, *options).covariance) <
-      kSmallSd)
+  if (relative_depth_sd(fit, chance_covariance_of(input.presses, fit, *options)) < kSmallSd)
     return fit;
-  const double inner_part =
-      relative_depth_sd(fit, covariance_of(input.presses, fit, *options).covariance);
+  const double inner_part = relative_depth_sd(fit, covariance_of(input.presses, fit, *options));
   JointFit start = fit;
   start.lift_mm = kTypicalLiftMm;
   JointOptions wider = *options;
@@ -91,8 +195,7 @@ JointFit choose_zone(const ChoiceInput& input, JointFit fit, JointOptions* optio
     if (job.stop_requested()) break;
     const FitQuality quality = quality_of(input.presses, next, wider);
     if (!next.converged || !rings_agree(quality)) continue;
-    const double part =
-        relative_depth_sd(next, covariance_of(input.presses, next, wider).covariance);
+    const double part = relative_depth_sd(next, covariance_of(input.presses, next, wider));
     if (part >= inner_part) continue;
     *options = wider;
     // Further in the length has no effect and stays at its prior.
@@ -125,7 +228,7 @@ std::vector<double> held_out_along(const ChoiceInput& input, CurveFamily family,
       fit_jointly(input.presses, straight_start(input, along, x_max), options, job);
   const JointFit fit = fit_jointly(input.presses, as_family(start, family), options, job);
   if (!fit.converged || !increases(fit.curve, along)) return {};
-  return hold_out(input, fit, options, job).errors_mm;
+  return hold_out(input, fit, options, job);
 }
 
 double finite_mean_mm(std::vector<double> errors) {
@@ -142,8 +245,7 @@ bool is_significantly_worse(const std::vector<double>& a, const std::vector<doub
     if (std::isfinite(a[i]) && std::isfinite(b[i]))
       a_finite.push_back(a[i]), b_finite.push_back(b[i]);
   if (a_finite.size() < 2) return false;
-  const Excess excess = excess_of(a_finite, b_finite);
-  return excess.mean > std::max({kTieMm, kPart * mean_mm(b_finite), excess.standard_error});
+  return !is_no_worse(a_finite, b_finite, kPart);
 }
 
 /// Distance along the face between the contact positions by the two directions, mean over the
@@ -254,14 +356,10 @@ double beyond_family_mm(const ChoiceInput& input, const JointFit& fit, const Joi
   return deviation;
 }
 
-void store_errors(const HeldOutPresses& held_out, ModelChoice* choice) {
-  choice->held_out_mm = held_out.errors_mm;
-  choice->spread_mm = spread_of(held_out.curves);
-}
-
 struct FamilyCandidate {
   JointFit fit;
-  HeldOutPresses held_out;
+  std::vector<double> errors_mm;  ///< on presses left out
+  double spread_mm = 0;           ///< of those fits
 };
 
 /// Fits the families, the simplest first, and returns those with an increasing curve and their
@@ -283,10 +381,10 @@ std::vector<FamilyCandidate> try_families(const ChoiceInput& input,
         fit_jointly(input.presses, as_family(start, families[i]), options, job), {}};
     if (!candidate.fit.converged || !increases(candidate.fit.curve, options.along)) continue;
     if (input.presses.size() < 2) return {std::move(candidate)};
-    candidate.held_out = hold_out(input, candidate.fit, options, job);
+    candidate.errors_mm = hold_out(input, candidate.fit, options, job, &candidate.spread_mm);
     // Stopped during cross-validation; a single family needs no comparison.
-    if (candidate.held_out.errors_mm.size() < input.presses.size() && families.size() > 1) break;
-    const double error_mm = mean_mm(candidate.held_out.errors_mm);
+    if (candidate.errors_mm.size() < input.presses.size() && families.size() > 1) break;
+    const double error_mm = mean_mm(candidate.errors_mm);
     worse = error_mm < best_mm ? 0 : worse + 1;
     best_mm = std::min(best_mm, error_mm);
     candidates.push_back(std::move(candidate));
@@ -297,7 +395,7 @@ std::vector<FamilyCandidate> try_families(const ChoiceInput& input,
 /// Why `chosen` was taken, where `best` has the smallest held-out error.
 Message why(const FamilyCandidate& chosen, const FamilyCandidate& best) {
   const Message name = chosen.fit.curve.family().name();
-  const double error_mm = mean_mm(chosen.held_out.errors_mm);
+  const double error_mm = mean_mm(chosen.errors_mm);
   if (&chosen == &best)
     return en::at(name, en::say("smallest error on presses left out, {:.4f} mm", error_mm));
   return en::at(
@@ -305,7 +403,7 @@ Message why(const FamilyCandidate& chosen, const FamilyCandidate& best) {
       en::say(
           "{:.4f} mm on presses left out, not distinguishable from the best ({}, {:.4f} mm) and "
           "simpler",
-          error_mm, best.fit.curve.family().name(), mean_mm(best.held_out.errors_mm)));
+          error_mm, best.fit.curve.family().name(), mean_mm(best.errors_mm)));
 }
 
 /// The best of some families for one direction of the thickness.
@@ -325,15 +423,15 @@ std::optional<ModelChoice> choose_family(const ChoiceInput& input,
 
   const auto candidates = try_families(input, families, start, choice.options, job);
   if (candidates.empty()) return std::nullopt;
-  const auto best =
-      std::min_element(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
-        return mean_mm(a.held_out.errors_mm) < mean_mm(b.held_out.errors_mm);
-      });
+  const auto best = std::min_element(
+      candidates.begin(), candidates.end(),
+      [](const auto& a, const auto& b) { return mean_mm(a.errors_mm) < mean_mm(b.errors_mm); });
   const auto chosen = std::find_if(candidates.begin(), best, [&](const FamilyCandidate& one) {
-    return is_no_worse(one.held_out.errors_mm, best->held_out.errors_mm);
+    return is_no_worse(one.errors_mm, best->errors_mm);
   });
   choice.fit = chosen->fit;
-  store_errors(chosen->held_out, &choice);
+  choice.held_out_mm = chosen->errors_mm;
+  choice.spread_mm = chosen->spread_mm;
   const Message name = choice.fit.curve.family().name();
   choice.sentence = input.presses.size() < 2
                         ? en::at(name, en::say("a single press cannot be left out"))
@@ -380,8 +478,8 @@ void try_variation(const ChoiceInput& input, ModelChoice* choice, const Job& job
   FamilyCandidate varying{
       fit_jointly(input.presses, as_family(choice->fit, family), choice->options, job), {}};
   if (!varying.fit.converged || !increases(varying.fit.curve, choice->options.along)) return;
-  varying.held_out = hold_out(input, varying.fit, choice->options, job);
-  const std::vector<double>& errors = varying.held_out.errors_mm;
+  varying.errors_mm = hold_out(input, varying.fit, choice->options, job, &varying.spread_mm);
+  const std::vector<double>& errors = varying.errors_mm;
   if (errors.size() < choice->held_out_mm.size() || is_no_worse(choice->held_out_mm, errors))
     return;
   const Eigen::Vector2d part = varying.fit.curve.values().tail<2>();
@@ -391,8 +489,9 @@ void try_variation(const ChoiceInput& input, ModelChoice* choice, const Job& job
       "presses left out {:.4f} mm, against {:.4f} mm with one mapping for all",
       200.0 * part.x(), 200.0 * part.y(), mean_mm(errors), mean_mm(choice->held_out_mm)));
   choice->sentence = why(varying, varying);
-  store_errors(varying.held_out, choice);
   choice->fit = varying.fit;
+  choice->held_out_mm = varying.errors_mm;
+  choice->spread_mm = varying.spread_mm;
 }
 
 }  // namespace
@@ -408,34 +507,6 @@ std::optional<ModelChoice> choose_model(const ChoiceInput& input,
   return choice;
 }
 
-namespace {
-
-constexpr double kTiePart = 0.1;  // of the better error: closer errors are ties
-
-/// The contact's position on the face, by the ball fitted to it.
-ContactSpot spot_of(const PressSamples& press, const Eigen::Vector3d& centre_mm) {
-  const Sample* nearest = nearest_sample(press, centre_mm);
-  if (nearest == nullptr) return {};
-  const double height_mm = plane_below(press, centre_mm).height_mm(centre_mm);
-  const double rim2 = (press.ball_radius_mm - height_mm) * (press.ball_radius_mm + height_mm);
-  return {nearest->position_mm.x(), nearest->position_mm.y(), std::sqrt(std::max(0.0, rim2)), 0};
-}
-
-/// The position of each press, numbered from 0. With fewer than three positions each press has its
-/// own: one press alone does not show the scale.
-std::vector<int> positions_of(const ChoiceInput& input, const JointFit& all) {
-  std::vector<ContactSpot> spots;
-  for (std::size_t i = 0; i < input.presses.size(); ++i)
-    spots.push_back(spot_of(*input.presses[i], all.centres_mm[i]));
-  std::vector<int> positions = position_numbers(spots);
-  constexpr int kFewest = 3;
-  if (std::all_of(positions.begin(), positions.end(), [](int n) { return n + 1 < kFewest; }))
-    std::iota(positions.begin(), positions.end(), 0);
-  return positions;
-}
-
-}  // namespace
-
 double error_of_press(const PressSamples& press, const JointFit& mapping,
                       const Eigen::Vector3d& centre_mm, const JointOptions& options,
                       const Job& job) {
@@ -443,78 +514,12 @@ double error_of_press(const PressSamples& press, const JointFit& mapping,
   JointOptions ball_only = options;
   ball_only.fix_mapping = true;
   ball_only.zone = kInnerZone;
-  ball_only.watch = nullptr;
+  ball_only.watch = {};
   const std::vector<const PressSamples*> one{&press};
   const JointFit ball =
       fit_jointly(one, {mapping.curve, {centre_mm}, false, mapping.lift_mm}, ball_only, job);
   return ball.converged ? quality_of(one, ball, ball_only).residual_mm.front()
                         : std::numeric_limits<double>::infinity();
-}
-
-HeldOutPresses hold_out(const ChoiceInput& input, const JointFit& all, const JointOptions& options,
-                        const Job& job) {
-  const std::vector<int> positions = positions_of(input, all);
-  const int count =
-      positions.empty() ? 0 : 1 + *std::max_element(positions.begin(), positions.end());
-  HeldOutPresses result;
-  std::vector<double> errors_mm(input.presses.size(), -1.0);
-  for (int left = 0; left < count && !job.stop_requested(); ++left) {
-    std::vector<const PressSamples*> others;
-    JointFit fit{all.curve, {}, false, all.lift_mm};
-    for (std::size_t i = 0; i < input.presses.size(); ++i) {
-      if (positions[i] == left) continue;
-      others.push_back(input.presses[i]);
-      fit.centres_mm.push_back(all.centres_mm[i]);
-    }
-    fit = fit_jointly(others, std::move(fit), options, job);
-    const bool is_good = fit.converged && increases(fit.curve, options.along);
-    for (std::size_t i = 0; i < input.presses.size(); ++i)
-      if (positions[i] == left)
-        errors_mm[i] = is_good
-                           ? error_of_press(*input.presses[i], fit, all.centres_mm[i], options, job)
-                           : std::numeric_limits<double>::infinity();
-    result.curves.push_back(std::move(fit.curve));
-  }
-  for (const double error_mm : errors_mm) {
-    if (error_mm < 0) break;  // stopped before it
-    result.errors_mm.push_back(error_mm);
-  }
-  return result;
-}
-
-double spread_of(const std::vector<MappingCurve>& curves) {
-  const auto n = static_cast<double>(curves.size());
-  if (curves.size() < 2) return 0;
-  double spread = 0;
-  for (int i = 1; i <= kDomainPoints; ++i) {
-    const double x = curves.front().x_max() * i / kDomainPoints;
-    double mean = 0, squares = 0;
-    for (const MappingCurve& curve : curves) mean += curve.depth_mm(x) / n;
-    for (const MappingCurve& curve : curves) squares += std::pow(curve.depth_mm(x) - mean, 2);
-    spread += kMeanOfSd * std::sqrt(squares * (n - 1) / n) / kDomainPoints;
-  }
-  return spread;
-}
-
-double mean_mm(const std::vector<double>& values) {
-  double mean = 0;
-  for (const double v : values) mean += v / static_cast<double>(values.size());
-  return mean;
-}
-
-Excess excess_of(const std::vector<double>& a, const std::vector<double>& b) {
-  const auto n = static_cast<double>(a.size());
-  double mean = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) mean += (a[i] - b[i]) / n;
-  double variance = 0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    variance += (a[i] - b[i] - mean) * (a[i] - b[i] - mean) / (n - 1.0);
-  return {mean, std::sqrt(variance / n)};
-}
-
-bool is_no_worse(const std::vector<double>& a, const std::vector<double>& b) {
-  const Excess excess = excess_of(a, b);
-  return excess.mean <= std::max({kTieMm, kTiePart * mean_mm(b), excess.standard_error});
 }
 
 }  // namespace alltact

@@ -9,9 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <limits>
-#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -44,15 +42,13 @@ std::optional<Profile> profile_at(const cv::Mat& x, const HorizonPoint& horizon)
   return profile;
 }
 
-enum class BorderShape { kJump, kFade };
-
-/// Basis of a border at `at_px` before blurring, as columns: the level outside; inside of a jump
-/// its height, the square root in which a ball's surface turns away from sight, and a slope; inside
-/// of a fade, which has no height, its first three powers.
+/// Basis of a jump, else of a fade, at `at_px` before blurring, as columns: the level outside;
+/// inside of a jump its height, the square root in which a ball's surface turns away from sight,
+/// and a slope; inside of a fade, which has no height, its first three powers.
 constexpr int kColumns = 4;
 using Columns = Eigen::Matrix<double, 2 * kHalf + 1, kColumns>;
 
-Columns columns_of(BorderShape border, double at_px, double blur_px) {
+Columns columns_of(bool is_jump, double at_px, double blur_px) {
   constexpr int kFine = 4;  // steps of the blurring integral per sample
   const int reach = static_cast<int>(std::ceil(3.0 * blur_px / kStepPx * kFine));
   Columns columns = Columns::Zero();
@@ -66,9 +62,9 @@ Columns columns_of(BorderShape border, double at_px, double blur_px) {
       sum += weight;
       if (inside <= 0.0) continue;
       const double root = std::sqrt(inside);
-      columns(i, 1) += weight * (border == BorderShape::kJump ? 1.0 : inside);
-      columns(i, 2) += weight * (border == BorderShape::kJump ? root : inside * inside);
-      columns(i, 3) += weight * (border == BorderShape::kJump ? inside : inside * inside * inside);
+      columns(i, 1) += weight * (is_jump ? 1.0 : inside);
+      columns(i, 2) += weight * (is_jump ? root : inside * inside);
+      columns(i, 3) += weight * (is_jump ? inside : inside * inside * inside);
     }
     columns.row(i).tail<kColumns - 1>() /= sum;
   }
@@ -84,10 +80,10 @@ struct Candidate {
 
 constexpr double kGridPx = 0.25;
 
-std::vector<Candidate> candidates_of(BorderShape border, double blur_px) {
+std::vector<Candidate> candidates_of(bool is_jump, double blur_px) {
   std::vector<Candidate> candidates;
   for (double at = -kReachPx - kGridPx; at <= kReachPx + 1.5 * kGridPx; at += kGridPx) {
-    const Columns columns = columns_of(border, at, blur_px);
+    const Columns columns = columns_of(is_jump, at, blur_px);
     candidates.push_back({at, columns, columns.colPivHouseholderQr()});
   }
   return candidates;
@@ -132,10 +128,10 @@ struct ArcFit {
   double squared_error = std::numeric_limits<double>::infinity();
 };
 
-ArcFit fit_arc(BorderShape border, const std::vector<Profile>& profiles) {
+ArcFit fit_arc(bool is_jump, const std::vector<Profile>& profiles) {
   ArcFit best;
   for (const double blur_px : kBlursPx) {
-    const auto candidates = candidates_of(border, blur_px);
+    const auto candidates = candidates_of(is_jump, blur_px);
     ArcFit fit;
     fit.squared_error = 0;
     for (const Profile& profile : profiles) {
@@ -170,12 +166,13 @@ std::vector<HorizonPoint> occluding_horizon(const FaceShape& shape,
     const auto local = shape.at(pixel->x(), pixel->y());
     if (!local) continue;
     const double beyond_view = local->normal.dot(horizon[i] - local->view_point_mm);
+    // how far, along the normal, the ball juts out over the face it hides
     const double hidden_mm = shape.face().layer_mm - beyond_view;
     if (!(hidden_mm > kMinHiddenMm && beyond_view > 0.0)) continue;
     const Eigen::Vector2d tangent = (*after - *before).normalized();
     Eigen::Vector2d outward(tangent.y(), -tangent.x());
     if (outward.dot(*pixel - *middle) < 0.0) outward = -outward;
-    occluding.push_back({horizon[i], *pixel, outward, hidden_mm});
+    occluding.push_back({horizon[i], *pixel, outward});
   }
   return occluding;
 }
@@ -196,8 +193,8 @@ TangentArc find_tangent_arc(const Press& press, const Eigen::Vector3d& centre_mm
   }
   TangentArc arc;
   if (static_cast<double>(profiles.size()) * step_deg < kMinArcDeg) return arc;
-  const ArcFit jump = fit_arc(BorderShape::kJump, profiles);
-  const ArcFit fade = fit_arc(BorderShape::kFade, profiles);
+  const ArcFit jump = fit_arc(true, profiles);
+  const ArcFit fade = fit_arc(false, profiles);
   if (!(fade.squared_error > kMinErrorRatio * jump.squared_error)) return arc;
   const double noise2 =
       jump.squared_error / (static_cast<double>(profiles.size()) * (2 * kHalf + 1 - kColumns - 1));
@@ -231,49 +228,6 @@ Error no_circle(const Press& press, Message what) {
           en::say("pressing the ball in deeper, entirely on the face")};
 }
 
-/// The cubic through (x, d) of a press for any ball.
-class CubicOfBall {
- public:
-  CubicOfBall(const Press& press, const std::vector<Sample>& samples)
-      : samples_(samples), radius_mm_(press.ball_radius_mm) {
-    for (const Sample& sample : samples) x_max_ = std::max(x_max_, sample.x);
-  }
-
-  struct Fit {
-    double constant_mm, misfit;
-  };
-  /// Uses the samples whose line along z meets the ball; nullopt where these are fewer than nine
-  /// tenths. Depths are signed, so that a ball off the face has a large misfit.
-  [[nodiscard]] std::optional<Fit> operator()(const Eigen::Vector3d& centre_mm) const {
-    Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
-    Eigen::Vector4d right = Eigen::Vector4d::Zero();
-    double square = 0, sum = 0;
-    std::size_t met = 0;
-    for (const Sample& sample : samples_) {
-      const double d = ball_depth_mm(sample, MappingAlong::kZ, centre_mm, radius_mm_);
-      if (!std::isfinite(d)) continue;
-      const double t = 2.0 * sample.x / x_max_ - 1.0;
-      const Eigen::Vector4d row(1.0, t, 2.0 * t * t - 1.0, t * (4.0 * t * t - 3.0));
-      normal.noalias() += row * row.transpose();
-      right += d * row;
-      square += d * d;
-      sum += d;
-      ++met;
-    }
-    const double spread = square - sum * sum / static_cast<double>(std::max<std::size_t>(1, met));
-    if (met < kMinSamples || 10 * met < 9 * samples_.size() || !(spread > 0.0)) return std::nullopt;
-    const Eigen::Vector4d c = normal.ldlt().solve(right);
-    const double left = std::max(0.0, square - c.dot(right));
-    if (!c.allFinite()) return std::nullopt;
-    return Fit{c[0] - c[1] + c[2] - c[3], std::sqrt(left / spread)};
-  }
-
- private:
-  const std::vector<Sample>& samples_;
-  double radius_mm_;
-  double x_max_ = 0;
-};
-
 /// The circles of one press and their cubics.
 class CirclesOfPress {
  public:
@@ -283,7 +237,9 @@ class CirclesOfPress {
         shape_(press.shape),
         face_(face),
         radius_mm_(press.ball_radius_mm),
-        cubic_(press, samples) {}
+        samples_(samples) {
+    for (const Sample& sample : samples) x_max_ = std::max(x_max_, sample.x);
+  }
 
   /// The size without a constant at one middle; of several the one whose cubic fits best.
   [[nodiscard]] std::optional<SearchedCircle> at(const Eigen::Vector2d& middle_px) const {
@@ -296,7 +252,8 @@ class CirclesOfPress {
       const double depth_mm = face_.layer_mm * (step + 0.25) / kSteps;
       const auto here = with_depth(middle_px, *local, depth_mm);
       if (before && here && before->constant_mm * here->constant_mm <= 0.0) {
-        const auto zero = between(middle_px, *local, {before_mm, *before}, {depth_mm, *here});
+        const auto zero =
+            between(middle_px, *local, before_mm, before->constant_mm, depth_mm, *here);
         if (zero && (!best || zero->misfit < best->misfit)) best = zero;
       }
       before = here;
@@ -312,24 +269,26 @@ class CirclesOfPress {
   }
 
  private:
-  struct AtDepth {
-    double depth_mm;
-    SearchedCircle circle;
-  };
-
-  /// Bisection. A change of sign at a pole, or where samples appear or vanish, is no zero.
+  /// Bisection between two depths. A change of sign at a pole, or where samples appear or vanish,
+  /// is no zero.
   [[nodiscard]] std::optional<SearchedCircle> between(const Eigen::Vector2d& middle_px,
-                                                      const FaceShape::Local& local, AtDepth from,
-                                                      AtDepth to) const {
-    while (to.depth_mm - from.depth_mm > 1e-5) {
-      const double half_mm = 0.5 * (from.depth_mm + to.depth_mm);
+                                                      const FaceShape::Local& local, double from_mm,
+                                                      double from_constant_mm, double to_mm,
+                                                      SearchedCircle to) const {
+    while (to_mm - from_mm > 1e-5) {
+      const double half_mm = 0.5 * (from_mm + to_mm);
       const auto half = with_depth(middle_px, local, half_mm);
       if (!half) return std::nullopt;
-      const bool before_zero = half->constant_mm * from.circle.constant_mm > 0.0;
-      (before_zero ? from : to) = {half_mm, *half};
+      if (half->constant_mm * from_constant_mm > 0.0) {
+        from_mm = half_mm;
+        from_constant_mm = half->constant_mm;
+      } else {
+        to_mm = half_mm;
+        to = *half;
+      }
     }
-    if (!(std::abs(to.circle.constant_mm) < kZero_mm)) return std::nullopt;
-    return to.circle;
+    if (!(std::abs(to.constant_mm) < kZero_mm)) return std::nullopt;
+    return to;
   }
 
   /// The circle of the ball in the middle's direction that is pressed in by about `depth_mm`.
@@ -341,9 +300,35 @@ class CirclesOfPress {
     const auto circle = circle_at(middle_px, untouched_mm + ahead_mm, depth_mm);
     const auto ball =
         circle ? ball_of_circle(*circle, camera_, radius_mm_, untouched_mm) : std::nullopt;
-    const auto fit = ball ? cubic_(*ball) : std::nullopt;
-    if (!fit) return std::nullopt;
-    return SearchedCircle{*circle, *ball, fit->constant_mm, fit->misfit};
+    return ball ? with_cubic(*circle, *ball) : std::nullopt;
+  }
+
+  /// The cubic through (x, d) of a ball. Uses the samples whose line along z meets the ball;
+  /// nullopt where these are fewer than nine tenths. Depths are signed, so that a ball off the face
+  /// has a large misfit.
+  [[nodiscard]] std::optional<SearchedCircle> with_cubic(const Circle& circle,
+                                                         const Eigen::Vector3d& ball_mm) const {
+    Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
+    Eigen::Vector4d right = Eigen::Vector4d::Zero();
+    double square = 0, sum = 0;
+    std::size_t met = 0;
+    for (const Sample& sample : samples_) {
+      const double d = ball_depth_mm(sample, MappingAlong::kZ, ball_mm, radius_mm_);
+      if (!std::isfinite(d)) continue;
+      const double t = 2.0 * sample.x / x_max_ - 1.0;
+      const Eigen::Vector4d row(1.0, t, 2.0 * t * t - 1.0, t * (4.0 * t * t - 3.0));
+      normal.noalias() += row * row.transpose();
+      right += d * row;
+      square += d * d;
+      sum += d;
+      ++met;
+    }
+    const double spread = square - sum * sum / static_cast<double>(std::max<std::size_t>(1, met));
+    if (met < kMinSamples || 10 * met < 9 * samples_.size() || !(spread > 0.0)) return std::nullopt;
+    const Eigen::Vector4d c = normal.ldlt().solve(right);
+    if (!c.allFinite()) return std::nullopt;
+    const double left = std::max(0.0, square - c.dot(right));
+    return SearchedCircle{circle, ball_mm, c[0] - c[1] + c[2] - c[3], std::sqrt(left / spread)};
   }
 
   /// The size for which ball_of_circle() returns that distance.
@@ -372,7 +357,8 @@ class CirclesOfPress {
   const FaceShape& shape_;
   const Face& face_;
   double radius_mm_;
-  CubicOfBall cubic_;
+  const std::vector<Sample>& samples_;
+  double x_max_ = 0;
 };
 
 }  // namespace
@@ -451,11 +437,44 @@ Result<SearchedCircle> search_circle(const Press& press, const Circle& dark,
   return *best;
 }
 
+std::vector<Sample> samples_inside(const Press& press, const Face& face, const Circle& circle) {
+  constexpr int kBlockPx = 2;
+  std::vector<Sample> samples = sample_press(press, face, kBlockPx).samples;
+  std::erase_if(samples, [&](const Sample& sample) {
+    return (sample.pixel - circle.centre).norm() >= circle.radius;
+  });
+  return samples;
+}
+
 namespace {
 
 constexpr int kCloudDegree = 3;
-constexpr int kCloudBlockPx = 2;
 constexpr std::size_t kMinCloudSamples = 50;
+
+/// A ball, and the brightness differences and depths of its samples.
+struct BallCloud {
+  BallFit ball;
+  std::vector<double> x, depth_mm;
+};
+
+/// The clouds of the presses for which `cloud_of` finds one. `left_out` receives the reasons of the
+/// others, `reason` the last one. A stopped job ends it early.
+template <class Presses, class CloudOf>
+std::vector<BallCloud> clouds_of(const Presses& presses, const CloudOf& cloud_of, const Job& job,
+                                 std::vector<Message>* left_out, Message* reason) {
+  std::vector<BallCloud> clouds;
+  for (const auto& press : presses) {
+    if (job.stop_requested()) break;
+    Result<BallCloud> cloud = cloud_of(press);
+    if (cloud) {
+      clouds.push_back(std::move(*cloud));
+    } else {
+      left_out->push_back(en::say("{}.", cloud.error().message()));
+      *reason = cloud.error().what;
+    }
+  }
+  return clouds;
+}
 
 std::optional<MappingCurve> curve_through(const std::vector<BallCloud>& clouds, int coefficients,
                                           double x_max) {
@@ -478,16 +497,9 @@ std::optional<MappingCurve> curve_through(const std::vector<BallCloud>& clouds, 
   return curve;
 }
 
-}  // namespace
-
-std::vector<Sample> samples_inside(const Press& press, const Face& face, const Circle& circle) {
-  std::vector<Sample> samples = sample_press(press, face, kCloudBlockPx).samples;
-  std::erase_if(samples, [&](const Sample& sample) {
-    return (sample.pixel - circle.centre).norm() >= circle.radius;
-  });
-  return samples;
-}
-
+/// Computes the depth of a ball over samples, where it presses at all: d = z_LUF - z_D. The ball's
+/// point D lies on the line along z of the source paper's p_CF = p_LUF - (0, 0, d). Error: the ball
+/// presses fewer than 50 samples.
 Result<BallCloud> cloud_of_ball(const Press& press, const std::vector<Sample>& samples,
                                 const Eigen::Vector3d& centre_mm, bool cut_by_edge) {
   BallCloud cloud;
@@ -509,6 +521,9 @@ Result<BallCloud> cloud_of_ball(const Press& press, const std::vector<Sample>& s
   return cloud;
 }
 
+/// Fits the cubic without constant through d of all clouds (at least one), in the basis of
+/// MappingParameters. Where the cubic does not increase, a lower degree is used and a remark states
+/// it. Adds mapping, balls and residuals to `calibration`. Error: no increasing curve.
 Result<Calibration> fit_cubic_mapping(const std::vector<BallCloud>& clouds,
                                       Calibration calibration) {
   double x_max = 0;
@@ -540,8 +555,6 @@ Result<Calibration> fit_cubic_mapping(const std::vector<BallCloud>& clouds,
   }
   return calibration;
 }
-
-namespace {
 
 constexpr double kMinConeArcDeg = 40;  // of the outline; less does not determine a ball
 
@@ -575,54 +588,35 @@ std::optional<Circle> border_circle(const cv::Mat& x, const Eigen::Vector2d& mid
   return fit_circle(points);
 }
 
-/// The border of one press's disc, with its position on the face.
-struct Border {
-  const Press& press;
-  const BallGuess& guess;
-  Circle circle;
-  FaceShape::Local middle;  ///< under the circle's middle
-};
-
 Error no_ball(const Press& press, Message why) { return {std::move(why), press.name, ""}; }
 
-Result<Border> border_of(const OutlinePress& input) {
-  const Press& press = *input.press;
-  const auto circle =
-      border_circle(press.difference.x, input.guess.disc_px, input.guess.disc_radius_px);
-  if (!circle) return no_ball(press, en::say("no circle goes through the dark border"));
-  const auto middle = press.shape.at(circle->centre.x(), circle->centre.y());
-  if (!middle) return no_ball(press, en::say("the circle's centre is off the face"));
-  return Border{press, input.guess, *circle, *middle};
-}
-
-/// The ball that leaves the face at the circle, by the circle's mean radius.
-Result<Eigen::Vector3d> by_contact_line(const Border& border, const Face& face) {
+/// The ball that leaves the face at the circle, by the circle's mean radius. `middle`: of the face
+/// under the circle's middle.
+Result<Eigen::Vector3d> by_contact_line(const Press& press, const Circle& circle,
+                                        const FaceShape::Local& middle, const Face& face) {
   constexpr int kPoints = 72;
-  const Eigen::Vector3d foot =
-      untouched_point_mm(border.middle, face.layer_mm, MappingAlong::kNormal);
+  const Eigen::Vector3d foot = untouched_point_mm(middle, face.layer_mm, MappingAlong::kNormal);
   double radius_mm = 0;
   int seen = 0;
   for (int i = 0; i < kPoints; ++i) {
     const double turn = 2.0 * M_PI * i / kPoints;
     const Eigen::Vector2d at =
-        border.circle.centre +
-        border.circle.radius * Eigen::Vector2d(std::cos(turn), std::sin(turn));
-    const auto local = border.press.shape.at(at.x(), at.y());
+        circle.centre + circle.radius * Eigen::Vector2d(std::cos(turn), std::sin(turn));
+    const auto local = press.shape.at(at.x(), at.y());
     if (!local) continue;
     radius_mm += (untouched_point_mm(*local, face.layer_mm, MappingAlong::kNormal) - foot).norm();
     ++seen;
   }
-  if (seen == 0) return no_ball(border.press, en::say("the circle is off the face"));
+  if (seen == 0) return no_ball(press, en::say("the circle is off the face"));
   radius_mm /= seen;
-  const double ball_mm = border.press.ball_radius_mm;
-  if (radius_mm >= ball_mm)
-    return no_ball(border.press, en::say("the circle is larger than the ball"));
-  return Eigen::Vector3d(foot + std::sqrt((ball_mm - radius_mm) * (ball_mm + radius_mm)) *
-                                    border.middle.normal);
+  const double ball_mm = press.ball_radius_mm;
+  if (radius_mm >= ball_mm) return no_ball(press, en::say("the circle is larger than the ball"));
+  return Eigen::Vector3d(foot +
+                         std::sqrt((ball_mm - radius_mm) * (ball_mm + radius_mm)) * middle.normal);
 }
 
 /// The ball by its visible outline.
-Result<Eigen::Vector3d> by_cone(const OutlinePress& input) {
+Result<Eigen::Vector3d> by_cone(const FoundBall& input) {
   const Press& press = *input.press;
   const TangentArc arc = find_tangent_arc(press, input.guess.centre_mm, press.ball_radius_mm);
   if (arc.arc_deg < kMinConeArcDeg)
@@ -637,34 +631,20 @@ Result<Eigen::Vector3d> by_cone(const OutlinePress& input) {
   return *centre;
 }
 
-Result<BallCloud> solve_press(const OutlinePress& input, CalibrationMethod method,
-                              const Face& face) {
+Result<BallCloud> solve_press(const FoundBall& input, CalibrationMethod method, const Face& face) {
   const Press& press = *input.press;
-  const auto border = border_of(input);
-  if (!border) return border.error();
-  const auto centre =
-      method == CalibrationMethod::kCone ? by_cone(input) : by_contact_line(*border, face);
+  const auto circle =
+      border_circle(press.difference.x, input.guess.disc_px, input.guess.disc_radius_px);
+  if (!circle) return no_ball(press, en::say("no circle goes through the dark border"));
+  const auto middle = press.shape.at(circle->centre.x(), circle->centre.y());
+  if (!middle) return no_ball(press, en::say("the circle's centre is off the face"));
+  const auto centre = method == CalibrationMethod::kCone
+                          ? by_cone(input)
+                          : by_contact_line(press, *circle, *middle, face);
   if (!centre) return centre.error();
-  return cloud_of_ball(press, samples_inside(press, face, border->circle), *centre,
+  return cloud_of_ball(press, samples_inside(press, face, *circle), *centre,
                        input.guess.cut_by_edge);
 }
-
-}  // namespace
-
-Result<Calibration> calibrate_by_outline(const std::vector<OutlinePress>& presses,
-                                         CalibrationMethod method, const Face& face, const Job& job,
-                                         Calibration calibration) {
-  CloudsFound found = clouds_of(
-      presses, [&](const OutlinePress& press) { return solve_press(press, method, face); }, job);
-  if (found.clouds.empty())
-    return Error{en::say("no ball follows from the dark border of any of {} presses ({})",
-                         presses.size(), found.reason),
-                 "", en::say("the joint method, which fits the ball itself")};
-  std::move(found.left_out.begin(), found.left_out.end(), std::back_inserter(calibration.left_out));
-  return fit_cubic_mapping(found.clouds, std::move(calibration));
-}
-
-namespace {
 
 Result<BallCloud> cloud_of_press(const Press& press, const Camera& camera, const Face& face) {
   const auto dark = dark_circle(press, camera);
@@ -677,19 +657,34 @@ Result<BallCloud> cloud_of_press(const Press& press, const Camera& camera, const
 
 }  // namespace
 
+Result<Calibration> calibrate_by_outline(const std::vector<FoundBall>& presses,
+                                         CalibrationMethod method, const Face& face, const Job& job,
+                                         Calibration calibration) {
+  Message reason;
+  const auto clouds = clouds_of(
+      presses, [&](const FoundBall& press) { return solve_press(press, method, face); }, job,
+      &calibration.left_out, &reason);
+  if (clouds.empty())
+    return Error{en::say("no ball follows from the dark border of any of {} presses ({})",
+                         presses.size(), reason),
+                 "", en::say("the joint method, which fits the ball itself")};
+  return fit_cubic_mapping(clouds, std::move(calibration));
+}
+
 Result<Calibration> calibrate_as_paper(const std::vector<Press>& presses, const Camera& camera,
                                        const Face& face, const Job& job) {
-  CloudsFound found = clouds_of(
-      presses, [&](const Press& press) { return cloud_of_press(press, camera, face); }, job);
-  if (found.clouds.empty() && found.stopped)
-    return Error{en::say("stopped before the first solution"), "", ""};
-  if (found.clouds.empty())
-    return Error{en::say("the source paper's method finds a ball in none of {} presses ({})",
-                         presses.size(), found.reason),
-                 "", en::say("the joint method, which fits the ball itself")};
   Calibration calibration;
-  calibration.left_out = std::move(found.left_out);
-  return fit_cubic_mapping(found.clouds, std::move(calibration));
+  Message reason;
+  const auto clouds = clouds_of(
+      presses, [&](const Press& press) { return cloud_of_press(press, camera, face); }, job,
+      &calibration.left_out, &reason);
+  if (clouds.empty() && calibration.left_out.size() < presses.size())
+    return Error{en::say("stopped before the first solution"), "", ""};
+  if (clouds.empty())
+    return Error{en::say("the source paper's method finds a ball in none of {} presses ({})",
+                         presses.size(), reason),
+                 "", en::say("the joint method, which fits the ball itself")};
+  return fit_cubic_mapping(clouds, std::move(calibration));
 }
 
 }  // namespace alltact

@@ -12,7 +12,6 @@
 #include "core/geometry/circle_fit.h"
 
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -33,7 +32,6 @@ struct HorizonPoint {
   Eigen::Vector3d point_mm;
   Eigen::Vector2d pixel;
   Eigen::Vector2d outward;  ///< unit, in the image, away from the ball
-  double hidden_mm;         ///< how far, along the normal, the ball juts out over the face it hides
 };
 
 /// The part of a ball's horizon that hides untouched face, in even steps of `step_deg` around the
@@ -88,61 +86,16 @@ struct SearchedCircle {
                                                    const std::vector<Sample>& samples,
                                                    const Camera& camera, const Face& face);
 
-// From balls that were found one by one to a mapping: one polynomial through all their depths.
-
-/// A ball, and the brightness differences and depths of its samples.
-struct BallCloud {
-  BallFit ball;
-  std::vector<double> x, depth_mm;
-};
-
 /// The samples of a press, blocks of 2 px, within a circle in the image.
 [[nodiscard]] std::vector<Sample> samples_inside(const Press& press, const Face& face,
                                                  const Circle& circle);
 
-/// Computes the depth of a ball over samples, where it presses at all: d = z_LUF - z_D. The ball's
-/// point D lies on the line along z of the source paper's p_CF = p_LUF - (0, 0, d). Error: the ball
-/// presses fewer than 50 samples.
-[[nodiscard]] Result<BallCloud> cloud_of_ball(const Press& press,
-                                              const std::vector<Sample>& samples,
-                                              const Eigen::Vector3d& centre_mm, bool cut_by_edge);
-
-/// The clouds of the presses for which `cloud_of` finds one. `left_out` holds the reasons of the
-/// others.
-struct CloudsFound {
-  std::vector<BallCloud> clouds;
-  std::vector<Message> left_out;
-  Message reason;        ///< of the last press left out
-  bool stopped = false;  ///< some presses were not processed
-};
-template <class Presses, class CloudOf>
-[[nodiscard]] CloudsFound clouds_of(const Presses& presses, CloudOf&& cloud_of, const Job& job) {
-  CloudsFound found;
-  for (const auto& press : presses) {
-    if (job.stop_requested()) {
-      found.stopped = true;
-      break;
-    }
-    Result<BallCloud> cloud = cloud_of(press);
-    if (cloud) {
-      found.clouds.push_back(std::move(*cloud));
-    } else {
-      found.left_out.push_back(en::say("{}.", cloud.error().message()));
-      found.reason = cloud.error().what;
-    }
-  }
-  return found;
-}
-
-/// Fits the cubic without constant through d of all clouds (at least one), in the basis of
-/// MappingParameters. Where the cubic does not increase, a lower degree is used and a remark states
-/// it. Adds mapping, balls and residuals to `calibration`. Error: no increasing curve.
-[[nodiscard]] Result<Calibration> fit_cubic_mapping(const std::vector<BallCloud>& clouds,
-                                                    Calibration calibration);
-
-struct OutlinePress {
+/// A press with its ball.
+struct FoundBall {
   const Press* press;
   BallGuess guess;
+  PressSamples fine, coarse;   ///< for the solution; for the choice of the model
+  double tangent_arc_deg = 0;  ///< of the outline that entered the fit
 };
 
 /// Estimates each ball from the border of its dark disc:
@@ -151,9 +104,9 @@ struct OutlinePress {
 ///   kCone    the arc of the border that is the ball's outline (TangentArc, at least 40 degrees;
 ///            less does not determine the distance) is tangent to the cone of half angle
 ///            asin(R / |c|).
-/// The stored mapping is that of fit_cubic_mapping(). Errors: no press with a ball, no increasing
+/// The mapping is one polynomial through all depths. Errors: no press with a ball, no increasing
 /// curve.
-[[nodiscard]] Result<Calibration> calibrate_by_outline(const std::vector<OutlinePress>& presses,
+[[nodiscard]] Result<Calibration> calibrate_by_outline(const std::vector<FoundBall>& presses,
                                                        CalibrationMethod method, const Face& face,
                                                        const Job& job, Calibration calibration);
 

@@ -1,5 +1,4 @@
-#include "calibration/joint/uncertainty.h"
-
+#include "calibration/joint/calibrate.h"
 #include "calibration/joint/joint_costs.h"
 #include "calibration/joint/joint_fit.h"
 #include "core/numerics/linear_algebra.h"
@@ -37,7 +36,7 @@ Eigen::MatrixXd gradients_of(const MappingCurve& curve) {
 /// Root mean square over the domain; infinite when the presses do not determine it.
 double depth_sd_mm(const std::vector<const PressSamples*>& presses, const JointFit& fit,
                    const JointOptions& options) {
-  const Eigen::MatrixXd covariance = covariance_of(presses, fit, options).covariance;
+  const Eigen::MatrixXd covariance = covariance_of(presses, fit, options);
   if (covariance.size() == 0) return std::numeric_limits<double>::infinity();
   const Eigen::MatrixXd rows = gradients_of(fit.curve);
   const auto n = rows.cols();
@@ -418,8 +417,8 @@ struct PatchSums {
   }
 };
 
-/// The inverse of a positive definite matrix and its condition, by the scaled eigenvalues; false
-/// when it is singular.
+/// The inverse of a positive definite matrix and its condition (may be null), by the scaled
+/// eigenvalues; false when it is singular.
 bool invert(const Eigen::MatrixXd& matrix, Eigen::MatrixXd* inverse, double* condition) {
   const Eigen::VectorXd scale = matrix.diagonal().cwiseSqrt();
   if (!(scale.minCoeff() > 0.0)) return false;
@@ -428,7 +427,7 @@ bool invert(const Eigen::MatrixXd& matrix, Eigen::MatrixXd* inverse, double* con
   const double smallest = eigen.eigenvalues().minCoeff();
   const double largest = eigen.eigenvalues().maxCoeff();
   if (!(smallest > 1e-14 * largest)) return false;
-  *condition = std::sqrt(largest / smallest);
+  if (condition != nullptr) *condition = std::sqrt(largest / smallest);
   *inverse = unscale.asDiagonal() *
              (eigen.eigenvectors() * eigen.eigenvalues().cwiseInverse().asDiagonal() *
               eigen.eigenvectors().transpose()) *
@@ -457,8 +456,9 @@ void add_known(const Eigen::VectorXd& row, Eigen::Index first, Eigen::MatrixXd* 
 }
 
 /// ring_mm: error of the rings common to all presses; 0: no common error is included.
-JointCovariance spread_of(const std::vector<const PressSamples*>& presses, const JointFit& fit,
-                          const JointOptions& options, double ring_mm) {
+Eigen::MatrixXd spread_of(const std::vector<const PressSamples*>& presses, const JointFit& fit,
+                          const JointOptions& options, double ring_mm, double* condition) {
+  if (condition != nullptr) *condition = 0;
   const Eigen::Index n_map = fit.curve.values().size();
   const bool free_lift = lift_is_free(fit, options);
   const Eigen::Index n = n_map + 3 * static_cast<Eigen::Index>(presses.size()) + 1;
@@ -479,8 +479,7 @@ JointCovariance spread_of(const std::vector<const PressSamples*>& presses, const
     observations += linear.back().outline_rows.rows() > 0;
   }
   observations += static_cast<int>(patch_count);
-  JointCovariance result;
-  if (observations <= unknowns) return result;
+  if (observations <= unknowns) return {};
   const double as_one = correlation.samples_as_one();
   const double dof_factor = patch_count / std::max(0.5 * patch_count, patch_count - taken);
   for (const PatchSums& sums : patches) {
@@ -536,32 +535,31 @@ JointCovariance spread_of(const std::vector<const PressSamples*>& presses, const
   if (ring_mm > 0.0) spread += optics_pull * optics_pull.transpose();
   if (fit.curve.family().absorbs()) {
     // The prior of the absorption, with its own stated error.
-    add_known(Eigen::VectorXd::Constant(1, kRootWeightOfKnown / AbsorptionCost::kSd), 2, &hessian,
+    add_known(Eigen::VectorXd::Constant(1, kRootWeightOfKnown / kAbsorptionSd), 2, &hessian,
               &spread);
   }
   if (free_lift) {
     add_known(Eigen::VectorXd::Constant(1, kRootWeightOfKnown), n - 1, &hessian, &spread);
   }
   Eigen::MatrixXd inverse;
-  if (!invert(hessian.block(first, first, unknowns, unknowns), &inverse, &result.condition))
-    return result;
+  if (!invert(hessian.block(first, first, unknowns, unknowns), &inverse, condition)) return {};
   const Eigen::MatrixXd free = inverse * spread.block(first, first, unknowns, unknowns) * inverse;
   const Eigen::Index known = first + unknowns;
-  result.covariance = Eigen::MatrixXd::Zero(known, known);
-  result.covariance.bottomRightCorner(unknowns, unknowns) = 0.5 * (free + free.transpose());
-  return result;
+  Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(known, known);
+  covariance.bottomRightCorner(unknowns, unknowns) = 0.5 * (free + free.transpose());
+  return covariance;
 }
 
 }  // namespace
 
-JointCovariance covariance_of(const std::vector<const PressSamples*>& presses, const JointFit& fit,
-                              const JointOptions& options) {
-  return spread_of(presses, fit, options, ring_error_mm(presses, fit, options));
+Eigen::MatrixXd covariance_of(const std::vector<const PressSamples*>& presses, const JointFit& fit,
+                              const JointOptions& options, double* condition) {
+  return spread_of(presses, fit, options, ring_error_mm(presses, fit, options), condition);
 }
 
-JointCovariance chance_covariance_of(const std::vector<const PressSamples*>& presses,
+Eigen::MatrixXd chance_covariance_of(const std::vector<const PressSamples*>& presses,
                                      const JointFit& fit, const JointOptions& options) {
-  return spread_of(presses, fit, options, 0.0);
+  return spread_of(presses, fit, options, 0.0, nullptr);
 }
 
 }  // namespace alltact

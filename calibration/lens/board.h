@@ -24,7 +24,6 @@ struct Board {
   /// ChArUco only: a marker's side as a fraction of the square's, (0, 1)
   double marker_part = 0.75;
 
-  [[nodiscard]] double diagonal_mm() const;
   /// Position of the i-th corner or dot on the board, counted row by row from 0; z = 0.
   [[nodiscard]] Eigen::Vector3d point_mm(int i) const;
   /// "6 x 6 inner corners".

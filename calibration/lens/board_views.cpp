@@ -85,18 +85,19 @@ void BoardCollector::forget(const std::string& name) {
   std::erase_if(frames_, [&](const FramePtr& frame) { return is_it(*frame); });
 }
 
+void BoardCollector::add_corner(const Eigen::Vector2d& pixel, cv::Size size, Cells& cells) {
+  const auto cell = [](double at, int length, int count) {
+    return static_cast<std::size_t>(
+        std::clamp(static_cast<int>((at + 0.5) / length * count), 0, count - 1));
+  };
+  ++cells[cell(pixel.y(), size.height, kRows)][cell(pixel.x(), size.width, kColumns)];
+}
+
 BoardCollector::Cells BoardCollector::cells() const {
   Cells cells{};
-  for (std::size_t i = 0; i < views_.size(); ++i) {
-    const cv::Size size = frames_[i]->grey.size();
-    for (const Eigen::Vector2d& pixel : views_[i].pixels) {
-      const auto cell = [](double at, int length, int count) {
-        return static_cast<std::size_t>(
-            std::clamp(static_cast<int>((at + 0.5) / length * count), 0, count - 1));
-      };
-      ++cells[cell(pixel.y(), size.height, kRows)][cell(pixel.x(), size.width, kColumns)];
-    }
-  }
+  for (std::size_t i = 0; i < views_.size(); ++i)
+    for (const Eigen::Vector2d& pixel : views_[i].pixels)
+      add_corner(pixel, frames_[i]->grey.size(), cells);
   return cells;
 }
 

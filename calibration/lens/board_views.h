@@ -51,6 +51,8 @@ class BoardCollector {
   [[nodiscard]] const std::vector<FramePtr>& frames() const { return frames_; }
   /// Corners of stored views in each cell, rows from the top.
   using Cells = std::array<std::array<int, kColumns>, kRows>;
+  /// Counts a corner of an image of this size.
+  static void add_corner(const Eigen::Vector2d& pixel, cv::Size size, Cells& cells);
   [[nodiscard]] Cells cells() const;
 
  private:

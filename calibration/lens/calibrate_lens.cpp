@@ -2,7 +2,6 @@
 
 #include "calibration/lens/board_views.h"
 #include "calibration/lens/lens_fit.h"
-#include "calibration/lens/lens_verdict.h"
 #include "core/base/message.h"
 #include "core/base/message_json.h"
 #include "core/base/program.h"
@@ -10,6 +9,8 @@
 #include "core/numerics/median.h"
 #include "core/open/open_source.h"
 
+#include <map>
+#include <ranges>
 #include <vector>
 
 #include <fmt/format.h>
@@ -17,11 +18,6 @@
 
 namespace alltact {
 namespace {
-
-struct OutlierView {
-  std::size_t index = 0;
-  Message reason;
-};
 
 constexpr double kOutlierScatter = 2.5;  // times the median view's
 constexpr double kMinScatterPx = 0.05;   // below, no view is an outlier
@@ -46,7 +42,7 @@ Message outlier_reason(const BoardView& view, const LensFit& fit, std::size_t in
         view.edge_px, median_edge_px);
   const std::vector<double> ones(view.pixels.size(), 1.0);
   BoardPose flat_pose = fit.poses[index], bent_pose = flat_pose;
-  BoardShape shape;
+  Eigen::Vector4d shape;
   const double flat = fit_pose(view, fit.lens, ones, flat_pose);
   const double bent = fit_pose(view, fit.lens, ones, bent_pose, &shape);
   if (bent < 0.5 * flat)
@@ -59,8 +55,9 @@ Message outlier_reason(const BoardView& view, const LensFit& fit, std::size_t in
 }
 
 /// Views in which more than a quarter of the corners are outliers, or that scatter 2.5 times as
-/// much as the median view, in order of their index.
-std::vector<OutlierView> outlier_views(const std::vector<BoardView>& views, const LensFit& fit) {
+/// much as the median view, by their index; with the reasons.
+std::map<std::size_t, Message> outlier_views(const std::vector<BoardView>& views,
+                                             const LensFit& fit) {
   std::vector<double> scatters, edges;
   for (std::size_t i = 0; i < views.size(); ++i) {
     scatters.push_back(scatter_px(fit.errors_px[i]));
@@ -69,27 +66,24 @@ std::vector<OutlierView> outlier_views(const std::vector<BoardView>& views, cons
   std::vector<double> sorted = scatters;
   const double median_scatter = upper_median(sorted);
   const double median_edge_px = upper_median(edges);
-  std::vector<OutlierView> outliers;
+  std::map<std::size_t, Message> outliers;
   for (std::size_t i = 0; i < views.size(); ++i) {
     const auto wrong = std::count(fit.weights[i].begin(), fit.weights[i].end(), 0.0);
     const bool scattered =
         scatters[i] > kOutlierScatter * median_scatter && scatters[i] > kMinScatterPx;
     if (!scattered && 4 * static_cast<std::size_t>(wrong) <= views[i].pixels.size()) continue;
-    outliers.push_back(
-        {i, outlier_reason(views[i], fit, i, scatters[i], median_scatter, median_edge_px)});
+    outliers[i] = outlier_reason(views[i], fit, i, scatters[i], median_scatter, median_edge_px);
   }
   return outliers;
 }
 
 /// Fits again with a board that may be stretched and bent. Returns the board's defect in words;
 /// empty when there is none, and with fewer than six views.
-Message board_problem(const std::vector<BoardView>& views, const LensFit& fit,
-                      const LensFitOptions& options, const Job& job) {
+Message board_problem(const std::vector<BoardView>& views, const LensFit& fit, int coefficients,
+                      const Job& job) {
   constexpr std::size_t kFewestViewsForShape = 6;
   if (views.size() < kFewestViewsForShape) return {};
-  LensFitOptions with_shape = options;
-  with_shape.free_shape = true;
-  const auto shaped = fit_lens(views, fit, with_shape, job);
+  const auto shaped = fit_lens(views, fit, coefficients, job, true);
   if (!shaped) return {};
   Eigen::Vector3d low = views.front().board_mm.front(), high = low;
   for (const BoardView& view : views)
@@ -98,9 +92,9 @@ Message board_problem(const std::vector<BoardView>& views, const LensFit& fit,
       high = high.cwiseMax(point_mm);
     }
   const double half_mm = 0.5 * (high - low).norm();
-  const auto& shape = shaped->shape.numbers;
+  const Eigen::Vector4d& shape = shaped->shape;
   const auto is_significant = [&](int i, double min_value) {
-    const double value = std::abs(shape[static_cast<std::size_t>(i)]);
+    const double value = std::abs(shape[i]);
     return value > kShapeSigmas * shaped->shape_sd[i] && value > min_value;
   };
   Message problem;
@@ -203,26 +197,24 @@ std::vector<int> coefficient_counts(CameraModel model) {
 
 bool is_sound(const LensFit& fit) { return Camera::create(fit.lens).ok(); }
 
-/// Fits as many coefficients as the views determine. A fit of the first one alone gives the start.
-Status fit_stepwise(LensCalibration& calibration, LensFitOptions& options, const Job& job) {
-  LensFitOptions first;
-  first.coefficients = 1;
-  if (const auto rough = fit_lens(calibration.used, calibration.fit, first, job);
+/// Fits as many coefficients as the views determine, and returns their number. A fit of the first
+/// one alone gives the start.
+Result<int> fit_stepwise(LensCalibration& calibration, const Job& job) {
+  if (const auto rough = fit_lens(calibration.used, calibration.fit, 1, job);
       rough && is_sound(*rough))
     calibration.fit = *rough;
   Error problem;
   for (const int coefficients : coefficient_counts(calibration.fit.lens.model)) {
-    options.coefficients = coefficients;
     LensFit begin = calibration.fit;
     if (coefficients == 0) begin.lens.distortion.clear();
-    auto fit = fit_lens(calibration.used, begin, options, job);
+    auto fit = fit_lens(calibration.used, begin, coefficients, job);
     if (job.stop_requested())
       return Error{en::say("stopped before the lens was estimated"), "", ""};
     if (fit) {
       const auto camera = Camera::create(fit->lens);
       if (camera) {
         calibration.fit = std::move(*fit);
-        return {};
+        return coefficients;
       }
       problem = camera.error();
       problem.advice = en::say("views that reach into the image's corners, or another --model");
@@ -253,32 +245,34 @@ bool turn_wrong_poses(LensCalibration& calibration) {
   return turned;
 }
 
-Status fit_again(LensCalibration& calibration, const LensFitOptions& options, const Job& job) {
-  auto fit = fit_lens(calibration.used, calibration.fit, options, job);
+Status fit_again(LensCalibration& calibration, int coefficients, const Job& job) {
+  auto fit = fit_lens(calibration.used, calibration.fit, coefficients, job);
   if (!fit) return fit.error();
   if (const auto camera = Camera::create(fit->lens); !camera) return camera.error();
   calibration.fit = std::move(*fit);
   return {};
 }
 
-Status fit_without_outliers(LensCalibration& calibration, LensFitOptions& options, const Job& job) {
+/// Returns the number of coefficients.
+Result<int> fit_without_outliers(LensCalibration& calibration, const Job& job) {
   constexpr int kMaxRounds = 4;
   for (int round = 0; round < kMaxRounds; ++round) {
-    if (const Status status = fit_stepwise(calibration, options, job); !status) return status;
+    const auto coefficients = fit_stepwise(calibration, job);
+    if (!coefficients) return coefficients;
     if (turn_wrong_poses(calibration))
-      if (const Status status = fit_again(calibration, options, job); !status) return status;
+      if (const Status status = fit_again(calibration, *coefficients, job); !status)
+        return status.error();
     const auto outliers = outlier_views(calibration.used, calibration.fit);
-    if (outliers.empty()) return {};
-    for (auto view = outliers.rbegin(); view != outliers.rend(); ++view)
-      reject_view(calibration, view->index, view->reason);
+    if (outliers.empty()) return coefficients;
+    for (const auto& [index, reason] : outliers | std::views::reverse)
+      reject_view(calibration, index, reason);
     if (calibration.used.size() < kFewestViews) return too_few(calibration.used.size());
   }
-  return fit_stepwise(calibration, options, job);
+  return fit_stepwise(calibration, job);
 }
 
 /// Dots: replaces measured centres by true ones, and fits the lens to those.
-Status fit_without_dot_bias(LensCalibration& calibration, const LensFitOptions& options,
-                            const Job& job) {
+Status fit_without_dot_bias(LensCalibration& calibration, int coefficients, const Job& job) {
   std::vector<double> parts;
   for (const BoardView& view : calibration.used)
     if (view.dot_part > 0) parts.push_back(view.dot_part);
@@ -291,7 +285,7 @@ Status fit_without_dot_bias(LensCalibration& calibration, const LensFitOptions& 
     for (std::size_t i = 0; i < measured.size(); ++i)
       calibration.used[i] =
           without_dot_bias(measured[i], calibration.fit.lens, calibration.fit.poses[i], radius_mm);
-    if (const Status status = fit_again(calibration, options, job); !status) return status;
+    if (const Status status = fit_again(calibration, coefficients, job); !status) return status;
   }
   return {};
 }
@@ -312,39 +306,29 @@ void report_views(LensCalibration& calibration) {
   }
 }
 
-void judge(LensCalibration& calibration, const LensSettings& settings,
-           const LensFitOptions& options, const Job& job) {
+void judge(LensCalibration& calibration, double distance_mm, int coefficients, const Job& job) {
   const LensFit& fit = calibration.fit;
   job.report(0.6, en::say("leaving views out"));
-  calibration.held_out = cross_validate(calibration.used, fit, options, job);
+  calibration.held_out = cross_validate(calibration.used, fit, coefficients, job);
   job.report(0.9, en::say("comparing halves"));
-  calibration.halves =
-      difference_of_halves(calibration.used, fit, options, settings.distance_mm, job);
+  calibration.halves = difference_of_halves(calibration.used, fit, coefficients, distance_mm, job);
   calibration.coverage = coverage_of(calibration.used, fit);
   double part = std::max(fit.sd(0) / fit.lens.fx_px, fit.sd(1) / fit.lens.fy_px);
   if (calibration.held_out)
     part = std::max({part, calibration.held_out->fx_sd_px / fit.lens.fx_px,
                      calibration.held_out->fy_sd_px / fit.lens.fy_px});
   calibration.focal_sd_part = part;
-  LensEvidence evidence;
-  evidence.focal_sd_part = part;
-  evidence.distance_mm = settings.distance_mm;
-  evidence.focal_px = fit.lens.fx_px;
-  evidence.sigma_px = fit.sigma_px;
-  evidence.held_out = calibration.held_out;
-  evidence.halves = calibration.halves;
-  evidence.coverage = calibration.coverage;
-  calibration.verdict = lens_verdict(evidence);
+  calibration.verdict = lens_verdict(calibration, distance_mm);
 }
 
-void remark(LensCalibration& calibration, const LensFitOptions& options, const Job& job) {
+void remark(LensCalibration& calibration, int coefficients, const Job& job) {
   const int max_count = coefficient_counts(calibration.fit.lens.model).front();
-  if (options.coefficients < max_count)
+  if (coefficients < max_count)
     calibration.remarks.push_back(
         en::say("with {} distortion coefficients the lens folds over inside the image or stays "
                 "undetermined; {} are used",
-                max_count, options.coefficients));
-  if (const Message shape = board_problem(calibration.used, calibration.fit, options, job);
+                max_count, coefficients));
+  if (const Message shape = board_problem(calibration.used, calibration.fit, coefficients, job);
       !shape.empty())
     calibration.remarks.push_back(shape);
   if (calibration.fit.sigma_px > 0.5)
@@ -438,14 +422,13 @@ Result<LensCalibration> calibrate_lens(std::vector<BoardView> views, cv::Size si
   if (const Status status = start(calibration, size, settings.model); !status)
     return status.error();
   job.report(0.2, en::say("fitting the lens"));
-  LensFitOptions options;
-  if (const Status status = fit_without_outliers(calibration, options, job); !status)
-    return status.error();
-  if (const Status status = fit_without_dot_bias(calibration, options, job); !status)
+  const auto coefficients = fit_without_outliers(calibration, job);
+  if (!coefficients) return coefficients.error();
+  if (const Status status = fit_without_dot_bias(calibration, *coefficients, job); !status)
     return status.error();
   report_views(calibration);
-  judge(calibration, settings, options, job);
-  remark(calibration, options, job);
+  judge(calibration, settings.distance_mm, *coefficients, job);
+  remark(calibration, *coefficients, job);
   return calibration;
 }
 

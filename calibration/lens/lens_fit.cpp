@@ -19,21 +19,12 @@ namespace {
 using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 using PoseNumbers = Eigen::Matrix<double, 6, 1>;
 
-constexpr double kRobustAt = 3.0;     // standard deviations where Cauchy's weight is a half
-constexpr int kMaxRounds = 20;        // of reweighting
+constexpr double kRobustAt = 3.0;  // standard deviations where Cauchy's weight is a half
+constexpr int kMaxRounds = 20;     // of reweighting
+// Standard deviations of one coordinate from which a corner is an outlier: by chance one in 25000.
+constexpr double kOutlierSigmas = 4.5;
 constexpr double kMinSigmaPx = 0.02;  // an outlier lies at least 4.5 of these off
 constexpr double kMedianOfRayleigh = 1.1774;
-
-class StopWithJob final : public ceres::IterationCallback {
- public:
-  explicit StopWithJob(const Job& job) : job_(job) {}
-  ceres::CallbackReturnType operator()(const ceres::IterationSummary&) override {
-    return job_.stop_requested() ? ceres::SOLVER_ABORT : ceres::SOLVER_CONTINUE;
-  }
-
- private:
-  const Job& job_;
-};
 
 ViewCost::Units units_of(const CameraParameters& lens, const BoardView& view) {
   ViewCost::Units units;
@@ -69,8 +60,14 @@ ceres::Solver::Options lens_solver() {
 /// The problem in the solver's units, with the conversions.
 class LensProblem {
  public:
-  LensProblem(const std::vector<BoardView>& views, const LensFit& start, LensFitOptions options)
-      : views_(views), options_(options), lens_(start.lens), numbers_(lens_numbers(start.lens)) {
+  LensProblem(const std::vector<BoardView>& views, const LensFit& start, int coefficients,
+              bool free_shape)
+      : views_(views),
+        coefficients_(coefficients),
+        free_shape_(free_shape),
+        lens_(start.lens),
+        numbers_(lens_numbers(start.lens)),
+        shape_(start.shape) {
     // All views share one board: the widest view gives its middle and size.
     std::size_t widest = 0;
     for (std::size_t i = 0; i < views.size(); ++i)
@@ -81,7 +78,6 @@ class LensProblem {
       poses_.push_back(numbers_of(start.poses[i], units_));
       weights_.emplace_back(views[i].pixels.size(), 1.0);
     }
-    shape_ = start.shape;
   }
 
   bool solve(const Job& job) {
@@ -89,19 +85,21 @@ class LensProblem {
     auto* order = new ceres::ParameterBlockOrdering;
     for (std::size_t i = 0; i < views_.size(); ++i) {
       problem.AddResidualBlock(new ViewCost(lens_.model, views_[i], weights_[i], units_), nullptr,
-                               numbers_.data(), poses_[i].data(), shape_.numbers.data());
+                               numbers_.data(), poses_[i].data(), shape_.data());
       order->AddElementToGroup(poses_[i].data(), 0);
     }
     order->AddElementToGroup(numbers_.data(), 1);
-    order->AddElementToGroup(shape_.numbers.data(), 1);
-    if (const auto fixed = fixed_numbers(); !fixed.empty())
+    order->AddElementToGroup(shape_.data(), 1);
+    std::vector<int> fixed;
+    for (int i = 4 + coefficients_; i < numbers_.size(); ++i) fixed.push_back(i);
+    if (!fixed.empty())
       problem.SetManifold(numbers_.data(),
                           new ceres::SubsetManifold(static_cast<int>(numbers_.size()), fixed));
-    if (!options_.free_shape) problem.SetParameterBlockConstant(shape_.numbers.data());
+    if (!free_shape_) problem.SetParameterBlockConstant(shape_.data());
     ceres::Solver::Options solver = lens_solver();
     solver.linear_solver_type = ceres::DENSE_SCHUR;
     solver.linear_solver_ordering.reset(order);
-    StopWithJob stop(job);
+    StopWithJob stop(job, ceres::SOLVER_ABORT);
     solver.callbacks.push_back(&stop);
     ceres::Solver::Summary summary;
     ceres::Solve(solver, &problem, &summary);
@@ -115,7 +113,7 @@ class LensProblem {
       const std::vector<double> ones(views_[i].pixels.size(), 1.0);
       const ViewCost cost(lens_.model, views_[i], ones, units_);
       Eigen::VectorXd residuals(cost.num_residuals());
-      const double* blocks[] = {numbers_.data(), poses_[i].data(), shape_.numbers.data()};
+      const double* blocks[] = {numbers_.data(), poses_[i].data(), shape_.data()};
       const bool seen = cost.Evaluate(blocks, residuals.data(), nullptr);
       auto& of_view = errors.emplace_back(ones.size(), std::numeric_limits<double>::infinity());
       for (std::size_t k = 0; seen && k < ones.size(); ++k)
@@ -130,26 +128,21 @@ class LensProblem {
   Result<LensFit> result() const;
 
  private:
-  [[nodiscard]] std::vector<int> fixed_numbers() const {
-    std::vector<int> fixed;
-    for (int i = 4 + options_.coefficients; i < numbers_.size(); ++i) fixed.push_back(i);
-    return fixed;
-  }
-
   const std::vector<BoardView>& views_;
-  LensFitOptions options_;
+  int coefficients_;
+  bool free_shape_;
   CameraParameters lens_;
   Eigen::VectorXd numbers_;  // in the solver's units
   ViewCost::Units units_;
   std::vector<PoseNumbers> poses_;
-  BoardShape shape_;
+  Eigen::Vector4d shape_;
   std::vector<std::vector<double>> weights_;
 };
 
 Result<LensFit> LensProblem::result() const {
   const auto n = static_cast<int>(numbers_.size());
-  const int free = std::min(n, 4 + options_.coefficients);
-  const int shared = free + (options_.free_shape ? 4 : 0);
+  const int free = std::min(n, 4 + coefficients_);
+  const int shared = free + (free_shape_ ? 4 : 0);
   Eigen::MatrixXd information = Eigen::MatrixXd::Zero(shared, shared);
   double sum = 0, freedom = -shared;
   for (std::size_t i = 0; i < views_.size(); ++i) {
@@ -157,7 +150,7 @@ Result<LensFit> LensProblem::result() const {
     const int rows = cost.num_residuals();
     Eigen::VectorXd residuals(rows);
     RowMatrix by_lens(rows, n), by_pose(rows, 6), by_shape(rows, 4);
-    const double* blocks[] = {numbers_.data(), poses_[i].data(), shape_.numbers.data()};
+    const double* blocks[] = {numbers_.data(), poses_[i].data(), shape_.data()};
     double* jacobians[] = {by_lens.data(), by_pose.data(), by_shape.data()};
     if (!cost.Evaluate(blocks, residuals.data(), jacobians)) continue;
     const double used =
@@ -167,7 +160,7 @@ Result<LensFit> LensProblem::result() const {
     freedom += 2 * used - 6;
     Eigen::MatrixXd by_shared(rows, shared);
     by_shared.leftCols(free) = by_lens.leftCols(free);
-    if (options_.free_shape) by_shared.rightCols(4) = by_shape;
+    if (free_shape_) by_shared.rightCols(4) = by_shape;
     const Eigen::HouseholderQR<Eigen::MatrixXd> qr(by_pose);
     by_shared.applyOnTheLeft(qr.householderQ().adjoint());
     by_shared.topRows(6).setZero();  // the part that the pose takes up
@@ -178,7 +171,8 @@ Result<LensFit> LensProblem::result() const {
   if (!(freedom > 0) || !(eigen.eigenvalues()[0] > 1e-12))
     return Error{
         en::say("these views leave the lens undetermined"), "",
-        en::say("more views, with the board tilted by 20 to 40 degrees in different directions")};
+        en::say("more views, with the board tilted by 20 to 40 degrees in different directions"),
+        ErrorKind::kUndeterminedLens};
   LensFit fit;
   fit.sigma_px = std::sqrt(sum / freedom);
   Eigen::MatrixXd covariance = fit.sigma_px * fit.sigma_px * scale.asDiagonal() *
@@ -186,7 +180,7 @@ Result<LensFit> LensProblem::result() const {
                                eigen.eigenvalues().cwiseInverse().asDiagonal() *
                                eigen.eigenvectors().transpose() * scale.asDiagonal();
   fit.shape_sd.setZero();
-  if (options_.free_shape) fit.shape_sd = covariance.diagonal().tail<4>().cwiseSqrt();
+  if (free_shape_) fit.shape_sd = covariance.diagonal().tail<4>().cwiseSqrt();
   Eigen::VectorXd unit = Eigen::VectorXd::Ones(n);
   unit.head<4>().setConstant(units_.px);
   fit.covariance.setZero(n, n);
@@ -229,13 +223,13 @@ bool solve_robustly(LensProblem& problem, const Job& job) {
 }  // namespace
 
 Result<LensFit> fit_lens(const std::vector<BoardView>& views, const LensFit& start,
-                         const LensFitOptions& options, const Job& job) {
+                         int coefficients, const Job& job, bool free_shape) {
   const auto failed = [&]() -> Error {
     if (job.stop_requested()) return {en::say("stopped before the lens was estimated"), "", ""};
     return {en::say("no lens model could be fitted to the found corners"), "",
             en::say("a flat board of the size given with --board, and views that show it tilted")};
   };
-  LensProblem problem(views, start, options);
+  LensProblem problem(views, start, coefficients, free_shape);
   if (!solve_robustly(problem, job)) return failed();
   auto before = problem.weights();
   constexpr int kMaxSorts = 5;
@@ -253,18 +247,18 @@ Result<LensFit> fit_lens(const std::vector<BoardView>& views, const LensFit& sta
 }
 
 double fit_pose(const BoardView& view, const CameraParameters& lens,
-                const std::vector<double>& weights, BoardPose& pose, BoardShape* free_shape) {
+                const std::vector<double>& weights, BoardPose& pose, Eigen::Vector4d* free_shape) {
   constexpr double kNone = std::numeric_limits<double>::infinity();
   const ViewCost::Units units = units_of(lens, view);
   Eigen::VectorXd numbers = lens_numbers(lens);
   numbers.head<4>() /= units.px;
   PoseNumbers pose_numbers = numbers_of(pose, units);
-  BoardShape shape;
+  Eigen::Vector4d shape = Eigen::Vector4d::Zero();
   ceres::Problem problem;
   problem.AddResidualBlock(new ViewCost(lens.model, view, weights, units), nullptr, numbers.data(),
-                           pose_numbers.data(), shape.numbers.data());
+                           pose_numbers.data(), shape.data());
   problem.SetParameterBlockConstant(numbers.data());
-  if (free_shape == nullptr) problem.SetParameterBlockConstant(shape.numbers.data());
+  if (free_shape == nullptr) problem.SetParameterBlockConstant(shape.data());
   const ceres::Solver::Options solver = lens_solver();
   ceres::Solver::Summary summary;
   ceres::Solve(solver, &problem, &summary);
@@ -278,8 +272,6 @@ double fit_pose(const BoardView& view, const CameraParameters& lens,
 }
 
 namespace {
-
-using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 int coefficient_count(CameraModel model) { return model == CameraModel::kFisheye ? 4 : 5; }
 
@@ -471,6 +463,24 @@ CameraParameters candidate(CameraModel model, cv::Size size, double focal, doubl
   return lens;
 }
 
+/// Root mean square distance of projected and seen corners, px; infinite where a corner cannot be
+/// seen at all.
+double pose_error_px(const BoardView& view, const Camera& camera, const BoardPose& pose) {
+  double sum = 0;
+  const Eigen::VectorXd numbers = lens_numbers(camera.parameters());
+  const Eigen::Matrix3d rotation = pose.rotation();
+  const CameraModel model = camera.parameters().model == CameraModel::kFisheye
+                                ? CameraModel::kFisheye
+                                : CameraModel::kBrown;
+  for (std::size_t i = 0; i < view.pixels.size(); ++i) {
+    const auto seen = project_by(model, {numbers.data(), static_cast<std::size_t>(numbers.size())},
+                                 rotation * view.board_mm[i] + pose.shift_mm);
+    if (!seen) return kWorst;
+    sum += (seen->pixel - view.pixels[i]).squaredNorm();
+  }
+  return std::sqrt(sum / static_cast<double>(view.pixels.size()));
+}
+
 /// Median over views of the error of each view's best pose.
 double median_error_px(const std::vector<const BoardView*>& views, const Camera& camera) {
   std::vector<double> errors;
@@ -517,22 +527,6 @@ std::vector<BoardPose> poses_of(const BoardView& view, const Camera& camera) {
   return poses;
 }
 
-double pose_error_px(const BoardView& view, const Camera& camera, const BoardPose& pose) {
-  double sum = 0;
-  const Eigen::VectorXd numbers = lens_numbers(camera.parameters());
-  const Eigen::Matrix3d rotation = pose.rotation();
-  const CameraModel model = camera.parameters().model == CameraModel::kFisheye
-                                ? CameraModel::kFisheye
-                                : CameraModel::kBrown;
-  for (std::size_t i = 0; i < view.pixels.size(); ++i) {
-    const auto seen = project_by(model, {numbers.data(), static_cast<std::size_t>(numbers.size())},
-                                 rotation * view.board_mm[i] + pose.shift_mm);
-    if (!seen) return kWorst;
-    sum += (seen->pixel - view.pixels[i]).squaredNorm();
-  }
-  return std::sqrt(sum / static_cast<double>(view.pixels.size()));
-}
-
 Result<CameraParameters> first_lens(const std::vector<BoardView>& views, CameraModel model,
                                     cv::Size size) {
   std::vector<const BoardView*> some;
@@ -554,7 +548,8 @@ Result<CameraParameters> first_lens(const std::vector<BoardView>& views, CameraM
     return Error{
         en::say("no lens model explains the found corners"), "",
         en::say("a flat board of the size given with --board; --model fisheye for a lens wider "
-                "than 120 degrees")};
+                "than 120 degrees"),
+        ErrorKind::kUndeterminedLens};
   return lens;
 }
 

@@ -6,7 +6,6 @@
 #include "core/base/result.h"
 #include "core/camera/camera.h"
 
-#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -45,16 +44,9 @@ struct BoardPose {
   [[nodiscard]] Eigen::Vector3d operator()(const Eigen::Vector3d& board_mm) const;
 };
 
-/// Deviation of a board from a plane with square cells. x is stretched. With s the position from
-/// the board's middle in units of half its diagonal, z is lifted by half the diagonal * (xx sx^2 +
-/// xy sx sy + yy sy^2).
-struct BoardShape {
-  std::array<double, 4> numbers{};  ///< stretch, xx, xy, yy: all without unit
-};
-
 /// Residuals: weight * (projected - seen), two for each corner, px. Parameter blocks: the lens's
 /// numbers, the first four divided by unit_px; the pose, turn then shift divided by unit_mm; the
-/// board's shape. The view and the weights must outlive the cost.
+/// board's shape (see LensFit). The view and the weights must outlive the cost.
 class ViewCost final : public ceres::CostFunction {
  public:
   struct Units {
@@ -74,17 +66,14 @@ class ViewCost final : public ceres::CostFunction {
   Units units_;
 };
 
-struct LensFitOptions {
-  /// number of free distortion coefficients, the first ones; the others stay
-  int coefficients = 5;
-  bool free_shape = false;  ///< the board may be stretched and bent, alike in all views
-};
-
 /// A lens and the board's pose in each view. As a start only `lens` and `poses` count.
 struct LensFit {
   CameraParameters lens;
   std::vector<BoardPose> poses;  ///< one for each view
-  BoardShape shape;
+  /// Deviation of the board from a plane with square cells: stretch, xx, xy, yy, all without unit.
+  /// x is stretched. With s the position from the board's middle in units of half its diagonal, z
+  /// is lifted by half the diagonal * (xx sx^2 + xy sx sy + yy sy^2).
+  Eigen::Vector4d shape = Eigen::Vector4d::Zero();
 
   /// of one coordinate of a corner, from the residuals and the number of fitted parameters
   double sigma_px = 0;
@@ -97,33 +86,28 @@ struct LensFit {
   [[nodiscard]] double sd(int number) const { return std::sqrt(covariance(number, number)); }
 };
 
-/// Distance, in standard deviations of one coordinate, from which a corner is an outlier. By chance
-/// one in 25000 lies further.
-inline constexpr double kOutlierSigmas = 4.5;
+inline constexpr int kAllCoefficients = 5;  ///< of either model, or more
 
+/// `coefficients`: number of free distortion coefficients, the first ones; the others stay.
+/// `free_shape`: the board may be stretched and bent, alike in all views.
 /// Fits robustly (Cauchy's weights, scale from the median) until convergence, then by plain least
 /// squares without outlier corners. The covariance is then valid for Gaussian noise. Errors:
 /// stopped, nothing solvable, or a direction of the lens that these views do not determine.
 [[nodiscard]] Result<LensFit> fit_lens(const std::vector<BoardView>& views, const LensFit& start,
-                                       const LensFitOptions& options, const Job& job);
+                                       int coefficients, const Job& job, bool free_shape = false);
 
 /// Fits the pose of one board with a known lens. `weights`: one for each corner. Returns the root
 /// of the weighted sum of squares over its degrees of freedom, px of one coordinate; infinite when
 /// there is no solution.
 double fit_pose(const BoardView& view, const CameraParameters& lens,
                 const std::vector<double>& weights, BoardPose& pose,
-                BoardShape* free_shape = nullptr);
+                Eigen::Vector4d* free_shape = nullptr);
 
 // First values for a lens and for the board's poses, from the corners alone.
 
 /// The possible poses of a board in a view, best first; at most two: a small or distant board looks
 /// nearly the same tilted in two directions. Empty when the camera cannot have seen it.
 [[nodiscard]] std::vector<BoardPose> poses_of(const BoardView& view, const Camera& camera);
-
-/// Root mean square distance of projected and seen corners, px; infinite where a corner cannot be
-/// seen at all.
-[[nodiscard]] double pose_error_px(const BoardView& view, const Camera& camera,
-                                   const BoardPose& pose);
 
 /// Searches a wide table of focal lengths (and for brown of bends) for the lens with which flat
 /// boards explain the corners best. The principal point is the middle of the image. It works where

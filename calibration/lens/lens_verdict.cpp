@@ -1,5 +1,5 @@
-#include "calibration/lens/lens_verdict.h"
-
+#include "calibration/lens/board_views.h"
+#include "calibration/lens/calibrate_lens.h"
 #include "core/numerics/median.h"
 
 #include <algorithm>
@@ -16,59 +16,52 @@ Grade grade_of_mm(double error_mm) {
 }
 
 /// Held-out views that fit worse than fitted ones show that the model is wrong.
-Grade grade_of_held_out(const LensEvidence& evidence) {
-  const double ratio = evidence.held_out->error_px / std::max(evidence.sigma_px, 0.02);
-  if (ratio > 3 && evidence.held_out->error_px > 1) return Grade::kUnfit;
+Grade grade_of_held_out(double error_px, double sigma_px) {
+  const double ratio = error_px / std::max(sigma_px, 0.02);
+  if (ratio > 3 && error_px > 1) return Grade::kUnfit;
   return ratio > 1.5 ? Grade::kUsable : Grade::kGood;
 }
 
 Message name_of(Grade grade) {
-  switch (grade) {
-    case Grade::kGood:
-      return en::say("good");
-    case Grade::kUsable:
-      return en::say("usable");
-    case Grade::kUnproven:
-      return en::say("unproven");
-    case Grade::kUnfit:
-      break;
-  }
-  return en::say("unfit for measuring");
+  static const std::array kWords{en::say("good"), en::say("usable"), en::say("unproven"),
+                                 en::say("unfit for measuring")};
+  return kWords.at(static_cast<std::size_t>(grade) - 1);
 }
 
 }  // namespace
 
-Verdict lens_verdict(const LensEvidence& evidence) {
+Verdict lens_verdict(const LensCalibration& calibration, double distance_mm) {
+  const double sigma_px = calibration.fit.sigma_px;
   Verdict result;
-  result.error_mm = evidence.distance_mm * evidence.focal_sd_part;
+  result.error_mm = distance_mm * calibration.focal_sd_part;
   Grade grade = grade_of_mm(result.error_mm);
   Message reason = en::say("the focal length is known to {:.2g} %, {:.2g} mm at {:g} mm",
-                           100 * evidence.focal_sd_part, result.error_mm, evidence.distance_mm);
+                           100 * calibration.focal_sd_part, result.error_mm, distance_mm);
   const auto lower_to = [&](Grade other, const Message& why) {
     if (other <= grade) return;
     grade = other;
     reason = en::clauses({reason, why});
   };
-  if (evidence.halves) {
+  if (calibration.halves) {
     // Each half has half the views: a lens of all views is about twice as precise.
-    const double px = evidence.halves->median_px / 2;
-    const double mm = px * evidence.distance_mm / evidence.focal_px;
+    const double px = calibration.halves->median_px / 2;
+    const double mm = px * distance_mm / calibration.fit.lens.fx_px;
     lower_to(grade_of_mm(mm),
              en::say("but two halves of the views disagree by {:.2f} px ({:.2g} mm)",
-                     evidence.halves->median_px, 2 * mm));
+                     calibration.halves->median_px, 2 * mm));
   }
-  if (evidence.held_out)
-    lower_to(grade_of_held_out(evidence),
+  if (calibration.held_out)
+    lower_to(grade_of_held_out(calibration.held_out->error_px, sigma_px),
              en::say("but views left out fit worse ({:.2f} px) than those fitted ({:.2f} px)",
-                     evidence.held_out->error_px, evidence.sigma_px));
-  if (!evidence.coverage.enough)
+                     calibration.held_out->error_px, sigma_px));
+  if (!calibration.coverage.enough)
     lower_to(Grade::kUsable,
              en::say("but the views cover too little of the image or too few tilts"));
-  if (!evidence.held_out)
+  if (!calibration.held_out)
     lower_to(Grade::kUnproven,
              en::say("with so few views, none could be left out to test the lens"));
   result.grade = grade;
-  const Message& more = evidence.coverage.advice;
+  const Message& more = calibration.coverage.advice;
   Message advice;
   if (!more.empty())
     advice = en::say("take {}", more);
@@ -80,24 +73,16 @@ Verdict lens_verdict(const LensEvidence& evidence) {
 
 namespace {
 
-constexpr int kColumns = 6, kRows = 4;
 constexpr double kTiltedDeg = 15;
-using Cells = std::array<std::array<bool, kColumns>, kRows>;
 
-Cells cells_seen(const std::vector<BoardView>& views, const LensFit& fit) {
-  Cells seen{};
+BoardCollector::Cells used_corners(const std::vector<BoardView>& views, const LensFit& fit) {
+  BoardCollector::Cells cells{};
   for (std::size_t i = 0; i < views.size(); ++i)
-    for (std::size_t k = 0; k < views[i].pixels.size(); ++k) {
-      if (fit.weights[i][k] == 0) continue;
-      const Eigen::Vector2d& pixel = views[i].pixels[k];
-      const auto cell = [](double at, int length, int count) {
-        return static_cast<std::size_t>(
-            std::clamp(static_cast<int>((at + 0.5) / length * count), 0, count - 1));
-      };
-      seen[cell(pixel.y(), fit.lens.height_px, kRows)]
-          [cell(pixel.x(), fit.lens.width_px, kColumns)] = true;
-    }
-  return seen;
+    for (std::size_t k = 0; k < views[i].pixels.size(); ++k)
+      if (fit.weights[i][k] != 0)
+        BoardCollector::add_corner(views[i].pixels[k], {fit.lens.width_px, fit.lens.height_px},
+                                   cells);
+  return cells;
 }
 
 /// One of nine regions: a third of the image across and down.
@@ -115,25 +100,19 @@ struct Region {
 };
 
 /// The regions of whose cells more than half have no corner.
-std::vector<Region> unseen_regions(const Cells& seen) {
+std::vector<Region> unseen_regions(const BoardCollector::Cells& corners) {
   std::array<std::array<int, 3>, 3> count{}, unseen{};
-  for (std::size_t row = 0; row < kRows; ++row)
-    for (std::size_t column = 0; column < kColumns; ++column) {
-      const std::size_t down = row == 0 ? 0 : row + 1 < kRows ? 1 : 2;
+  for (std::size_t row = 0; row < corners.size(); ++row)
+    for (std::size_t column = 0; column < corners[row].size(); ++column) {
+      const std::size_t down = row == 0 ? 0 : row + 1 < corners.size() ? 1 : 2;
       ++count[down][column / 2];
-      unseen[down][column / 2] += seen[row][column] ? 0 : 1;
+      unseen[down][column / 2] += corners[row][column] > 0 ? 0 : 1;
     }
   std::vector<Region> regions;
   for (std::size_t down = 0; down < 3; ++down)
     for (std::size_t right = 0; right < 3; ++right)
       if (2 * unseen[down][right] > count[down][right]) regions.push_back({down, right});
   return regions;
-}
-
-Message listed(const std::vector<Message>& words) {
-  if (words.size() < 2) return en::list(words);
-  const Message first = en::list({words.begin(), words.end() - 1});
-  return en::say("{} and {}", first, words.back());
 }
 
 /// `number`: 1 to kEnoughViews.
@@ -154,13 +133,13 @@ Message advice_of(const LensCoverage& coverage, int views) {
   const Message number = number_word(more);
   const bool names_directions = flat && !coverage.untilted.empty() && coverage.untilted.size() < 4;
   const Message tilted = names_directions
-                             ? en::say("{} more, tilted {}", number, listed(coverage.untilted))
+                             ? en::say("{} more, tilted {}", number, enumerated(coverage.untilted))
                              : en::say("{} more, tilted", number);
   Message where;
   if (coverage.unseen.size() > 4) {
     where = en::say("large enough to fill the image");
   } else if (!coverage.unseen.empty()) {
-    where = en::say("near the {}", listed(coverage.unseen));
+    where = en::say("near the {}", enumerated(coverage.unseen));
   }
   return en::list({tilted, where});
 }
@@ -182,11 +161,13 @@ Eigen::Vector2d tilt_deg(const BoardView& view, const BoardPose& pose) {
 
 LensCoverage coverage_of(const std::vector<BoardView>& views, const LensFit& fit) {
   LensCoverage coverage;
-  const Cells seen = cells_seen(views, fit);
+  const BoardCollector::Cells corners = used_corners(views, fit);
   int count = 0;
-  for (const auto& row : seen) count += static_cast<int>(std::count(row.begin(), row.end(), true));
-  coverage.seen_part = static_cast<double>(count) / (kColumns * kRows);
-  const std::vector<Region> unseen = unseen_regions(seen);
+  for (const auto& row : corners)
+    count += static_cast<int>(std::count_if(row.begin(), row.end(), std::identity()));
+  coverage.seen_part =
+      static_cast<double>(count) / (BoardCollector::kColumns * BoardCollector::kRows);
+  const std::vector<Region> unseen = unseen_regions(corners);
   for (const Region& region : unseen) coverage.unseen.push_back(region.name());
   std::array<int, 4> tilt_counts{};  // left, right, up, down
   for (std::size_t i = 0; i < views.size(); ++i) {
@@ -232,7 +213,7 @@ std::pair<std::vector<BoardView>, LensFit> part_of(const std::vector<BoardView>&
 }  // namespace
 
 std::optional<HeldOut> cross_validate(const std::vector<BoardView>& views, const LensFit& fit,
-                                      const LensFitOptions& options, const Job& job) {
+                                      int coefficients, const Job& job) {
   if (views.size() < 4) return std::nullopt;
   const std::size_t folds = std::min<std::size_t>(5, views.size());
   double sum = 0, freedom = 0;
@@ -240,7 +221,7 @@ std::optional<HeldOut> cross_validate(const std::vector<BoardView>& views, const
   for (std::size_t fold = 0; fold < folds; ++fold) {
     const auto [others, start] =
         part_of(views, fit, [&](std::size_t i) { return i % folds != fold; });
-    const auto without = fit_lens(others, start, options, job);
+    const auto without = fit_lens(others, start, coefficients, job);
     if (!without) return std::nullopt;
     focals.emplace_back(without->lens.fx_px, without->lens.fy_px);
     for (std::size_t i = fold; i < views.size(); i += folds) {
@@ -260,7 +241,7 @@ std::optional<HeldOut> cross_validate(const std::vector<BoardView>& views, const
   for (const Eigen::Vector2d& focal : focals) mean += focal / n;
   for (const Eigen::Vector2d& focal : focals) spread += (focal - mean).cwiseAbs2();
   spread = (spread * (n - 1) / n).cwiseSqrt();
-  return HeldOut{static_cast<int>(folds), std::sqrt(sum / freedom), spread.x(), spread.y()};
+  return HeldOut{std::sqrt(sum / freedom), spread.x(), spread.y()};
 }
 
 std::optional<LensDifference> difference_of(const CameraParameters& a, const CameraParameters& b,
@@ -300,14 +281,13 @@ std::optional<LensDifference> difference_of(const CameraParameters& a, const Cam
 }
 
 std::optional<LensDifference> difference_of_halves(const std::vector<BoardView>& views,
-                                                   const LensFit& fit,
-                                                   const LensFitOptions& options,
+                                                   const LensFit& fit, int coefficients,
                                                    double distance_mm, const Job& job) {
   if (views.size() < 6) return std::nullopt;
   std::vector<CameraParameters> lenses;
   for (const std::size_t half : {0, 1}) {
     const auto [some, start] = part_of(views, fit, [&](std::size_t i) { return i % 2 == half; });
-    const auto fitted = fit_lens(some, start, options, job);
+    const auto fitted = fit_lens(some, start, coefficients, job);
     if (!fitted) return std::nullopt;
     lenses.push_back(fitted->lens);
   }

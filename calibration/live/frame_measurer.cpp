@@ -57,14 +57,14 @@ cv::Mat difference_on_face(const FrameResult& own, const FrameResult& other) {
   return difference;
 }
 
-/// The same pipeline as live.
-Result<Pipeline> pipeline_of(const FingerSnapshot& finger, const PipelineSettings& settings,
-                             const Job& job) {
-  if (!finger.finger.reference) return Pipeline::without_reference(finger, settings);
+}  // namespace
+
+Result<Pipeline> measuring_pipeline(const FingerSnapshot& finger, const PipelineSettings& settings,
+                                    const Job& job) {
+  if (finger.folder.empty() || !finger.finger.reference)
+    return Pipeline::without_reference(finger, settings);
   return Pipeline::create(finger, settings, job);
 }
-
-}  // namespace
 
 Status FrameMeasurer::load_finger(const std::filesystem::path& folder, const Job& job) {
   if (folder != folder_) store_ = folder.empty() ? nullptr : FingerStore::of(folder);
@@ -82,7 +82,7 @@ Status FrameMeasurer::load_finger(const std::filesystem::path& folder, const Job
     return Error{en::say("no finger is open, so the recording cannot be measured"), "",
                  en::say("opening a finger")};
   if (!finger) return finger.error();
-  auto pipeline = pipeline_of(**finger, measuring_settings(folder), job);
+  auto pipeline = measuring_pipeline(**finger, measuring_settings(folder), job);
   if (!pipeline) return pipeline.error();
   finger_ = *finger;
   first_ = std::move(*pipeline);
@@ -101,7 +101,7 @@ Status FrameMeasurer::open_other(const ComparisonSpec& other, const Job& job) {
       if (setting.name == other.setting)
         if (const Status status = setting.set(settings, other.value); !status)
           return status.error();
-    pipeline = pipeline_of(*finger_, settings, job);
+    pipeline = measuring_pipeline(*finger_, settings, job);
   }
   if (!pipeline) return pipeline.error();
   other_ = std::move(*pipeline);
@@ -133,7 +133,7 @@ RecordingInfo FrameMeasurer::recording() const {
 /// Uses the pipeline of all frames, and announces that others follow.
 Result<FrameResult> FrameMeasurer::measure_other_frame(std::size_t number) {
   number = std::min(number, frames_->count() - 1);
-  if (!other_frame_ || other_frame_->number != number) {
+  if (!other_frame_ || other_number_ != number) {
     const auto frame_read = frames_->frame(number);
     if (!frame_read) return frame_read.error();
     first_->forget();
@@ -141,9 +141,10 @@ Result<FrameResult> FrameMeasurer::measure_other_frame(std::size_t number) {
     first_->forget();
     last_.reset();
     if (!result) return result.error();
-    other_frame_ = OtherFrame{number, std::move(*result)};
+    other_number_ = number;
+    other_frame_ = std::move(*result);
   }
-  return other_frame_->result;
+  return *other_frame_;
 }
 
 void FrameMeasurer::compare(MeasuredFrame& frame, const ComparisonSpec& other, bool is_next,

@@ -60,6 +60,11 @@ struct RecordingInfo {
   std::shared_ptr<const FrameTimes> times_ns;  ///< null for single images
 };
 
+/// The pipeline that a finger is measured by, live and in recordings; without a reference it
+/// measures the finger's shape.
+[[nodiscard]] Result<Pipeline> measuring_pipeline(const FingerSnapshot& finger,
+                                                  const PipelineSettings& settings, const Job& job);
+
 /// Holds a recording, a finger and one or two pipelines of it. Used by one thread.
 class FrameMeasurer {
  public:
@@ -67,8 +72,8 @@ class FrameMeasurer {
   /// exist any more; those of RecordedFrames::open.
   [[nodiscard]] Status open_recording(const std::filesystem::path& input, const Job& job);
   /// Does nothing where the folder's present state is open. Errors: an empty folder; those of
-  /// FingerStore::snapshot and Pipeline::create. A finger without a reference is no error: its
-  /// shape is measured. The previous finger is closed in any case.
+  /// FingerStore::snapshot and Pipeline::create. A finger without a reference is no error. The
+  /// previous finger is closed in any case.
   [[nodiscard]] Status load_finger(const std::filesystem::path& folder, const Job& job);
 
   /// The finger at the time of loading; null: none is open.
@@ -100,11 +105,8 @@ class FrameMeasurer {
   FingerPtr finger_;
   std::optional<Pipeline> first_, other_;
   ComparisonSpec other_comparison_;  // that other_ measures with
-  struct OtherFrame {
-    std::size_t number;
-    FrameResult result;
-  };
-  std::optional<OtherFrame> other_frame_;
+  std::size_t other_number_ = 0;     // of other_frame_
+  std::optional<FrameResult> other_frame_;
   std::optional<RecordedFrames> frames_;
   std::shared_ptr<const FrameTimes> times_ns_;
   std::optional<std::size_t> last_;

@@ -1,6 +1,7 @@
 #include "calibration/live/live_finger.h"
 
 #include "calibration/finger/measuring_presets.h"
+#include "calibration/live/frame_measurer.h"
 #include "core/base/guarded.h"
 #include "core/finger/force_model.h"
 #include "core/image/colour_map.h"
@@ -14,6 +15,7 @@
 #include <bit>
 #include <chrono>
 #include <cmath>
+#include <mutex>
 #include <vector>
 
 namespace alltact {
@@ -27,13 +29,6 @@ Result<FingerPtr> finger_of_scene(const std::filesystem::path& file) {
   auto finger = FingerSnapshot::of({}, plan->finger());
   if (!finger) return finger.error();
   return std::make_shared<const FingerSnapshot>(std::move(*finger));
-}
-
-Result<Pipeline> pipeline_of(const FingerSnapshot& finger, const Job& job) {
-  const PipelineSettings settings = measuring_settings(finger.folder);
-  if (finger.folder.empty() || !finger.finger.reference)
-    return Pipeline::without_reference(finger, settings);
-  return Pipeline::create(finger, settings, job);
 }
 
 std::optional<Error> force_problem_of(const FingerSnapshot& finger) {
@@ -56,10 +51,6 @@ void measure_into(LiveView& view, Pipeline& pipeline, const FramePtr& frame) {
 
 }  // namespace
 
-struct LiveFinger::Loading {
-  Job job;
-};
-
 /// A finger's pipeline and the number of its opened finger.
 struct LiveFinger::Measuring {
   Pipeline pipeline = Pipeline::without_finger();
@@ -69,8 +60,8 @@ struct LiveFinger::Measuring {
 struct LiveFinger::State {
   mutable std::mutex mutex;
   FingerStatus status;
-  std::shared_ptr<Loading> loading;  // the current one
-  std::optional<Measuring> next;     // loaded, for the measuring thread to take
+  std::shared_ptr<Job> loading;   // the current one
+  std::optional<Measuring> next;  // loaded, for the measuring thread to take
   std::shared_ptr<const LiveView> view;
   RequestedLayers layers;
   double depth_top_mm = 1.0;
@@ -84,7 +75,7 @@ LiveFinger::LiveFinger(const FrameHub& hub, std::function<void()> on_update)
 
 LiveFinger::~LiveFinger() {
   const std::lock_guard lock(state_->mutex);
-  if (state_->loading) state_->loading->job.request_stop();
+  if (state_->loading) state_->loading->request_stop();
 }
 
 void LiveFinger::open(const std::filesystem::path& folder) { load(folder, {}); }
@@ -93,12 +84,12 @@ void LiveFinger::open_scene(const std::filesystem::path& scene) { load({}, scene
 
 void LiveFinger::load(const std::filesystem::path& folder, const std::filesystem::path& scene) {
   const auto state = state_;
-  auto loading = std::make_shared<Loading>();
+  auto loading = std::make_shared<Job>();
   std::optional<Measuring> unused;
   std::uint64_t opened = 0;
   {
     const std::lock_guard lock(state->mutex);
-    if (state->loading) state->loading->job.request_stop();
+    if (state->loading) state->loading->request_stop();
     state->loading = loading;
     opened = state->status.opened + 1;
     state->status = {};
@@ -121,7 +112,7 @@ void LiveFinger::load(const std::filesystem::path& folder, const std::filesystem
       status.finger = (*finger)->finger;
       status.warnings = (*finger)->warnings;
       status.force_problem = force_problem_of(**finger);
-      auto pipeline = pipeline_of(**finger, loading->job);
+      auto pipeline = measuring_pipeline(**finger, measuring_settings((*finger)->folder), *loading);
       if (!pipeline) return pipeline.error();
       ready.pipeline = std::move(*pipeline);
       status.has_reference = ready.pipeline.has_reference();
@@ -144,7 +135,10 @@ void LiveFinger::measure(const std::stop_token& stop) {
   while (!stop.stop_requested()) {
     FramePtr frame = reader_.next(std::chrono::milliseconds(50));
     // The last frame of a source that has ended is shown; a finger opened later measures it, too.
-    if (!frame && has_update_for_last()) frame = last;
+    if (!frame) {
+      const std::lock_guard lock(state_->mutex);
+      if (state_->next) frame = last;
+    }
     if (!frame) continue;
     RequestedLayers layers;
     auto view = std::make_shared<LiveView>();
@@ -180,11 +174,6 @@ void LiveFinger::measure(const std::stop_token& stop) {
     }
     if (is_new) on_update_();
   }
-}
-
-bool LiveFinger::has_update_for_last() const {
-  const std::lock_guard lock(state_->mutex);
-  return state_->next.has_value();
 }
 
 void LiveFinger::set_layers(RequestedLayers layers) {
@@ -256,11 +245,7 @@ void colour_part(const float* depth_mm, float steps_per_mm, int count, const Dep
   }
 }
 
-struct Rows {
-  int first, last;
-};
-
-Rows face_rows(const FrameResult& result, int u, int height) {
+FaceShape::Rows face_rows(const FrameResult& result, int u, int height) {
   if (!result.shape || u >= result.shape->width_px()) return {0, height - 1};
   const auto rows = result.shape->rows(u, 1.0);
   return {std::max(0, rows.first), std::min(height - 1, rows.last)};
@@ -274,7 +259,7 @@ cv::Mat fault_flags(const cv::Mat& grey, const FrameResult& result) {
   const double dark_below = result.edges ? too_dark_below(result.edges->noise_sd) : kTooDarkBelow;
   cv::Mat flags(grey.size(), CV_8UC1, cv::Scalar(kOffFace));
   for (int u = 0; u < grey.cols; ++u) {
-    const Rows rows = face_rows(result, u, grey.rows);
+    const FaceShape::Rows rows = face_rows(result, u, grey.rows);
     for (int v = rows.first; v <= rows.last; ++v) {
       const int level = grey.at<std::uint8_t>(v, u);
       flags.at<std::uint8_t>(v, u) = level >= kClippedFrom ? kSaturated

@@ -5,10 +5,8 @@
 #include "core/sensing/frame_result.h"
 #include "core/sources/source.h"
 
-#include <condition_variable>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <thread>
 
@@ -87,12 +85,9 @@ class LiveFinger {
   [[nodiscard]] FingerStatus status() const;
 
  private:
-  struct Loading;
   struct Measuring;
   struct State;
   void load(const std::filesystem::path& folder, const std::filesystem::path& scene);
-  /// A finger has been loaded since the last frame was measured.
-  [[nodiscard]] bool has_update_for_last() const;
   void measure(const std::stop_token& stop);
 
   std::shared_ptr<State> state_;

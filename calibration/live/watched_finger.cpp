@@ -5,13 +5,6 @@
 #include <utility>
 
 namespace alltact {
-namespace {
-
-bool measure_alike(const FingerSnapshot& a, const FingerSnapshot& b) {
-  return a.revision == b.revision && a.measuring == b.measuring;
-}
-
-}  // namespace
 
 Result<std::unique_ptr<WatchedFinger>> WatchedFinger::open(
     const std::filesystem::path& folder, MakePipeline make, const Job& job,
@@ -59,7 +52,8 @@ void WatchedFinger::poll_once() {
     return;
   }
   unreadable_.clear();
-  if (measure_alike(**finger, *last_seen_)) return;
+  if ((*finger)->revision == last_seen_->revision && (*finger)->measuring == last_seen_->measuring)
+    return;
   last_seen_ = *finger;
   auto pipeline = make_(**finger, loading_);
   if (loading_.stop_requested()) return;

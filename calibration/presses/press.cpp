@@ -318,47 +318,34 @@ struct Rim {
   int off_face = 0;
 };
 
-class RimReader {
- public:
-  RimReader(const Press& press, const cv::Mat& x, const cv::Mat& labels, double level)
-      : press_(press), x_(x), labels_(labels), level_(level) {}
-
-  Rim operator()(int label) const {
-    Rim rim;
-    constexpr std::array<std::array<int, 2>, 4> kSteps{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
-    for (int v = 0; v < x_.rows; ++v)
-      for (int u = 0; u < x_.cols; ++u)
-        if (labels_.at<int>(v, u) == label)
-          for (const auto& [du, dv] : kSteps) step(label, u, v, du, dv, &rim);
-    return rim;
-  }
-
- private:
-  void step(int label, int u, int v, int du, int dv, Rim* rim) const {
+Rim rim_of(const Press& press, const cv::Mat& x, const cv::Mat& labels, double level, int label) {
+  Rim rim;
+  constexpr std::array<std::array<int, 2>, 4> kSteps{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
+  const auto step = [&](int u, int v, int du, int dv) {
     const int u2 = u + du;
     const int v2 = v + dv;
-    const bool inside = u2 >= 0 && v2 >= 0 && u2 < x_.cols && v2 < x_.rows;
-    const float beyond = inside ? x_.at<float>(v2, u2) : std::numeric_limits<float>::quiet_NaN();
+    const bool inside = u2 >= 0 && v2 >= 0 && u2 < x.cols && v2 < x.rows;
+    const float beyond = inside ? x.at<float>(v2, u2) : std::numeric_limits<float>::quiet_NaN();
     if (!std::isfinite(beyond)) {
-      ++rim->off_face;
+      ++rim.off_face;
       return;
     }
-    if (labels_.at<int>(v2, u2) == label) return;
-    const double here = static_cast<double>(x_.at<float>(v, u));
+    if (labels.at<int>(v2, u2) == label) return;
+    const double here = static_cast<double>(x.at<float>(v, u));
     const double drop = here - static_cast<double>(beyond);
-    const double part = drop > 0.0 ? std::clamp((here - level_) / drop, 0.0, 1.0) : 0.5;
+    const double part = drop > 0.0 ? std::clamp((here - level) / drop, 0.0, 1.0) : 0.5;
     const Eigen::Vector2d pixel(u + part * du, v + part * dv);
-    const auto local = press_.shape.at(pixel.x(), pixel.y());
+    const auto local = press.shape.at(pixel.x(), pixel.y());
     if (!local) return;
-    rim->points_px.push_back(pixel);
-    rim->points_mm.emplace_back(press_.shape.length_at(pixel.x()), local->view_point_mm.y());
-  }
-
-  const Press& press_;
-  const cv::Mat& x_;
-  const cv::Mat& labels_;
-  double level_;
-};
+    rim.points_px.push_back(pixel);
+    rim.points_mm.emplace_back(press.shape.length_at(pixel.x()), local->view_point_mm.y());
+  };
+  for (int v = 0; v < x.rows; ++v)
+    for (int u = 0; u < x.cols; ++u)
+      if (labels.at<int>(v, u) == label)
+        for (const auto& [du, dv] : kSteps) step(u, v, du, dv);
+  return rim;
+}
 
 double arc_deg(const std::vector<Eigen::Vector2d>& points, const Circle& circle) {
   constexpr std::size_t kBins = 60;  // wide enough that the rim of the smallest disc fills them
@@ -456,7 +443,7 @@ Result<BallGuess> find(const Press& press, const Face& face) {
                           100.0 * patches[1].weight / patches[0].weight),
                   en::say("a press in which only the ball touches the face"));
 
-  const Rim rim = RimReader(press, x, labels, level)(patches[0].label);
+  const Rim rim = rim_of(press, x, labels, level, patches[0].label);
   const auto circle = robust_circle(rim.points_mm);
   const auto circle_px = robust_circle(rim.points_px);
   if (!circle || !circle_px)

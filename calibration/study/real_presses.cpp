@@ -5,7 +5,6 @@
 #include "calibration/study/recommended_settings.h"
 #include "calibration/study/study_machine.h"
 #include "core/finger/finger_store.h"
-#include "core/image/image_file.h"
 #include "core/sensing/pipeline.h"
 
 #include <algorithm>
@@ -100,14 +99,9 @@ Result<RealPresses> RealPresses::open(const FingerPtr& finger, const Job& job) {
   for (const StoredPress& press : real.inputs_.presses) {
     const PressNote& note = real.inputs_.press_set.of(press.name);
     if (note.excluded || note.step_mm) continue;
-    const auto file = finger->folder / kPressFolder / (press.name + ".png");
-    auto grey = read_grey_image(file);
-    if (!grey) return grey.error();
-    auto frame = std::make_shared<Frame>();
-    frame->grey = std::move(grey).value();
-    frame->name = press.name;
-    frame->origin = file.string();
-    real.frames_.push_back(std::move(frame));
+    auto frame = read_stored_press(finger->folder, press.name);
+    if (!frame) return frame.error();
+    real.frames_.push_back(std::move(frame).value());
   }
   if (real.frames_.size() < kMinPresses)
     return Error{

@@ -9,6 +9,95 @@
 namespace alltact {
 namespace {
 
+constexpr std::array kContradictionWords{
+    std::string_view("contact_wider_than_ball"), std::string_view("contact_deeper_than_layer"),
+    std::string_view("depth_beyond_mapping"), std::string_view("face_width_against_camera"),
+    std::string_view("reference_touched")};
+
+/// "2.17 to 2.44 mm", "2.17 mm".
+Message range_mm(const Contradiction& one) {
+  return one.measured_to_mm > one.measured_mm + 0.005
+             ? en::say("{:.2f} to {:.2f} mm", one.measured_mm, one.measured_to_mm)
+             : en::say("{:.2f} mm", one.measured_mm);
+}
+
+}  // namespace
+
+std::string_view to_string(ContradictionKind kind) {
+  return kContradictionWords.at(static_cast<std::size_t>(kind) - 1);
+}
+
+bool rules_out_use(ContradictionKind kind) {
+  // Every depth is in proportion to the ball's radius and to the face's width.
+  return kind == ContradictionKind::kContactWiderThanBall ||
+         kind == ContradictionKind::kFaceWidthAgainstCamera;
+}
+
+Message sentence(const Contradiction& one) {
+  const std::size_t count = std::max<std::size_t>(1, one.presses.size());
+  const int of = std::max(one.of, static_cast<int>(count));
+  switch (one.kind) {
+    case ContradictionKind::kContactWiderThanBall:
+      return en::count(
+          "{0} of {1} presses have a dark part wider than the ball of {2:.2f} mm diameter "
+          "({3} radius): check the ball's radius",
+          "{0} of {1} presses has a dark part wider than the ball of {2:.2f} mm diameter "
+          "({3} radius): check the ball's radius",
+          count, of, 2 * one.given_mm, range_mm(one));
+    case ContradictionKind::kContactDeeperThanLayer:
+      return en::count(
+          "{0} of {1} presses are deeper than the layer of {2:.2f} mm ({3}): check the layer's "
+          "thickness and the ball's radius",
+          "{0} of {1} presses is deeper than the layer of {2:.2f} mm ({3}): check the layer's "
+          "thickness and the ball's radius",
+          count, of, one.given_mm, range_mm(one));
+    case ContradictionKind::kDepthBeyondMapping:
+      return en::count(
+          "{0} of {1} presses are darker than the mapping reaches ({3} deep, the mapping ends at "
+          "{2:.2f} mm): calibrate again with them",
+          "{0} of {1} presses is darker than the mapping reaches ({3} deep, the mapping ends at "
+          "{2:.2f} mm): calibrate again with it",
+          count, of, one.given_mm, range_mm(one));
+    case ContradictionKind::kFaceWidthAgainstCamera:
+      return en::say(
+          "the specified face width is {:.2f} mm, but camera and presses show {}: check the width "
+          "and the lens",
+          one.given_mm, range_mm(one));
+    case ContradictionKind::kReferenceContact:
+      break;
+  }
+  return en::say(
+      "in {} of {} presses the face is brighter than its reference {:.0f} mm along it: something "
+      "pressed there when the reference was recorded; record it again, then calibrate again",
+      count, of, one.measured_mm);
+}
+
+RecordedContradiction recorded(const Contradiction& one) {
+  return {std::string(to_string(one.kind)),
+          static_cast<int>(one.presses.size()),
+          one.of,
+          one.given_mm,
+          one.measured_mm,
+          one.measured_to_mm};
+}
+
+namespace {
+
+/// nullopt for a kind of a later version.
+std::optional<Contradiction> from_record(const RecordedContradiction& recorded) {
+  const auto* word =
+      std::find(kContradictionWords.begin(), kContradictionWords.end(), recorded.kind);
+  if (word == kContradictionWords.end()) return std::nullopt;
+  Contradiction one;
+  one.kind = static_cast<ContradictionKind>(word - kContradictionWords.begin() + 1);
+  one.presses.resize(static_cast<std::size_t>(std::max(0, recorded.presses)));
+  one.given_mm = recorded.given_mm;
+  one.measured_mm = recorded.measured_mm;
+  one.measured_to_mm = recorded.measured_to_mm;
+  one.of = recorded.of;
+  return one;
+}
+
 // A spread from n positions has n - 1 degrees of freedom. Its 95 % upper bound is 4.4 times the
 // estimate with 2, 2.9 with 3, 2.4 with 4: below 3 a small error on presses left out proves
 // nothing.
@@ -74,26 +163,16 @@ std::vector<ErrorPart> parts_of(const CalibrationEvidence& e) {
 
 /// The largest part, and what reduces it.
 Message largest_cause(ErrorCause cause) {
-  switch (cause) {
-    case ErrorCause::kShape:
-      return en::say("mostly the curve's shape: add presses of different depth and position");
-    case ErrorCause::kScale:
-      return en::say("mostly scale: measure one press's depth");
-    case ErrorCause::kPixel:
-      return en::say(
-          "mostly noise and reference of single pixels: record the reference again, "
-          "with more light");
-    case ErrorCause::kZone:
-      return en::say("mostly parts of the face far from any press: press there");
-    case ErrorCause::kHalo:
-      return en::say(
-          "mostly depth measured next to contacts, as caused by light that scatters sideways");
-    case ErrorCause::kBody:
-      return en::say("mostly bodies of other shape than the ball: measure one press's depth");
-    case ErrorCause::kRadius:
-      break;
-  }
-  return en::say("mostly the ball's radius: measure it to a hundredth of a millimetre");
+  static const std::array kWords{
+      en::say("mostly the curve's shape: add presses of different depth and position"),
+      en::say("mostly scale: measure one press's depth"),
+      en::say("mostly noise and reference of single pixels: record the reference again, "
+              "with more light"),
+      en::say("mostly parts of the face far from any press: press there"),
+      en::say("mostly depth measured next to contacts, as caused by light that scatters sideways"),
+      en::say("mostly the ball's radius: measure it to a hundredth of a millimetre"),
+      en::say("mostly bodies of other shape than the ball: measure one press's depth")};
+  return kWords.at(static_cast<std::size_t>(cause) - 1);
 }
 
 Message missing_thirds(const CalibrationEvidence& e, double /*error_mm*/) {
@@ -117,13 +196,6 @@ bool has_contradiction(const CalibrationEvidence& e, bool ruling_out) {
                      [&](const auto& one) { return rules_out_use(one.kind) == ruling_out; });
 }
 
-/// "width, camera and layer".
-Message enumerated(const std::vector<Message>& names) {
-  if (names.size() < 2) return en::list(names);
-  const Message first = en::list({names.begin(), names.end() - 1});
-  return en::say("{} and {}", first, names.back());
-}
-
 Message changed_numbers(const CalibrationEvidence& e, double /*error_mm*/) {
   const Message names = enumerated(e.changed);
   return e.changed.size() == 1
@@ -140,48 +212,23 @@ using Evidence = CalibrationEvidence;
 }  // namespace
 
 Message sentence(ReferenceState state) {
-  switch (state) {
-    case ReferenceState::kAbsent:
-      return en::say("there is no reference: record one");
-    case ReferenceState::kMissing:
-      return en::say(
-          "a file of the reference is missing: restore it, or record the reference again");
-    case ReferenceState::kCut:
-      return en::say("the reference is cut off or unreadable: record it again");
-    case ReferenceState::kOtherImage:
-      return en::say("the reference has another image size than the camera: record it again");
-    case ReferenceState::kIntact:
-      break;
-  }
-  return {};
+  static const std::array kWords{
+      Message(), en::say("there is no reference: record one"),
+      en::say("a file of the reference is missing: restore it, or record the reference again"),
+      en::say("the reference is cut off or unreadable: record it again"),
+      en::say("the reference has another image size than the camera: record it again")};
+  return kWords.at(static_cast<std::size_t>(state) - 1);
 }
 
 std::string_view to_string(Grade grade) {
-  switch (grade) {
-    case Grade::kGood:
-      return "good";
-    case Grade::kUsable:
-      return "usable";
-    case Grade::kUnproven:
-      return "unproven";
-    case Grade::kUnfit:
-      break;
-  }
-  return "unfit";
+  constexpr std::array<std::string_view, 4> kWords{"good", "usable", "unproven", "unfit"};
+  return kWords.at(static_cast<std::size_t>(grade) - 1);
 }
 
 Message word_of(Grade grade) {
-  switch (grade) {
-    case Grade::kGood:
-      return en::say("good");
-    case Grade::kUsable:
-      return en::say("usable for contact and its position");
-    case Grade::kUnproven:
-      return en::say("unproven");
-    case Grade::kUnfit:
-      break;
-  }
-  return en::say("unfit for measuring");
+  static const std::array kWords{en::say("good"), en::say("usable for contact and its position"),
+                                 en::say("unproven"), en::say("unfit for measuring")};
+  return kWords.at(static_cast<std::size_t>(grade) - 1);
 }
 
 std::string_view to_string(ErrorCause cause) {
@@ -191,31 +238,20 @@ std::string_view to_string(ErrorCause cause) {
 }
 
 std::string_view to_string(CheckVerdict verdict) {
-  switch (verdict) {
-    case CheckVerdict::kPass:
-      return "pass";
-    case CheckVerdict::kDrifting:
-      return "drifting";
-    case CheckVerdict::kTooFew:
-      return "too_few";
-    case CheckVerdict::kRecalibrate:
-      break;
-  }
-  return "recalibrate";
+  constexpr std::array<std::string_view, 4> kWords{"pass", "drifting", "recalibrate", "too_few"};
+  return kWords.at(static_cast<std::size_t>(verdict) - 1);
 }
 
 Message word_of(CheckVerdict verdict) {
-  switch (verdict) {
-    case CheckVerdict::kPass:
-      return en::say("pass");
-    case CheckVerdict::kDrifting:
-      return en::say("drifting");
-    case CheckVerdict::kTooFew:
-      return en::say("too few to judge");
-    case CheckVerdict::kRecalibrate:
-      break;
-  }
-  return en::say("recalibrate");
+  static const std::array kWords{en::say("pass"), en::say("drifting"), en::say("recalibrate"),
+                                 en::say("too few to judge")};
+  return kWords.at(static_cast<std::size_t>(verdict) - 1);
+}
+
+Message enumerated(const std::vector<Message>& names) {
+  if (names.size() < 2) return en::list(names);
+  const Message first = en::list({names.begin(), names.end() - 1});
+  return en::say("{} and {}", first, names.back());
 }
 
 Message third_name(bool is_flat, std::size_t third) {
@@ -238,6 +274,11 @@ double student_factor(int freedom) {
   return 1 + 0.5 / n + 0.25 / (n * n) + 0.0625 / (n * n * n);
 }
 
+std::string provenance_of(const Finger& finger, const char* key) {
+  const auto found = finger.provenance.find(key);
+  return found == finger.provenance.end() ? std::string() : found->second;
+}
+
 CalibrationEvidence evidence_of(const Finger& finger) {
   CalibrationEvidence evidence;
   evidence.is_flat = finger.face.kind == FaceKind::kFlat;
@@ -255,12 +296,9 @@ CalibrationEvidence evidence_of(const Finger& finger) {
   evidence.scale_sd_mm = record.spread_mm / kMeanOfSd;
   evidence.pixel_sd_mm =
       std::sqrt(std::max(0.0, square(record.pixel_mm) - square(record.spread_mm))) / kMeanOfSd;
-  const auto date_of = [&](const char* key) {
-    const auto found = finger.provenance.find(key);
-    return found == finger.provenance.end() ? std::string() : found->second;
-  };
   // Both are UTC in one format, so that their order as text is their order in time.
-  evidence.reference_is_newer = date_of("reference_date") > date_of("calibration_date");
+  evidence.reference_is_newer =
+      provenance_of(finger, "reference_date") > provenance_of(finger, "calibration_date");
   if (!record.basis) return evidence;
   const CalibrationBasis& basis = *record.basis;
   evidence.has_basis = true;
@@ -443,70 +481,31 @@ Verdict verdict(const CalibrationEvidence& evidence) {
 }
 
 CheckVerdict check_verdict(const CheckEvidence& e) {
-  struct Rule {
-    CheckVerdict word;
-    bool (*holds)(const CheckEvidence& e);
-  };
-  // The first that holds. One press shows a clear failure; a pass needs more.
-  static constexpr Rule kRules[] = {
-      {CheckVerdict::kRecalibrate,
-       [](const CheckEvidence& of) {
-         return of.reference_has_contact || !(of.error <= of.recalibrate_above) ||
-                !(of.light_change <= of.light_recalibrate_above);
-       }},
-      {CheckVerdict::kTooFew,
-       [](const CheckEvidence& of) {
-         return of.count < kCheckPresses || of.positions < kCheckPresses;
-       }},
-      {CheckVerdict::kDrifting,
-       [](const CheckEvidence& of) {
-         return of.error > of.drifting_above || of.light_change > of.light_drifting_above;
-       }},
-  };
-  for (const Rule& rule : kRules)
-    if (rule.holds(e)) return rule.word;
+  // One press shows a clear failure; a pass needs more.
+  if (e.reference_has_contact || !(e.error <= e.recalibrate_above) ||
+      !(e.light_change <= e.light_recalibrate_above))
+    return CheckVerdict::kRecalibrate;
+  if (e.count < kCheckPresses || e.positions < kCheckPresses) return CheckVerdict::kTooFew;
+  if (e.error > e.drifting_above || e.light_change > e.light_drifting_above)
+    return CheckVerdict::kDrifting;
   return CheckVerdict::kPass;
 }
 
 FingerDue due_of(const DueEvidence& e) {
-  struct Rule {
-    FingerDue due;
-    bool (*holds)(const DueEvidence& e);
-  };
-  // The first that holds; "nothing" requires that none does.
-  static constexpr Rule kRules[] = {
-      {FingerDue::kRecording,
-       [](const DueEvidence& of) {
-         return of.needs_recording && of.reference == ReferenceState::kAbsent;
-       }},
-      {FingerDue::kRepair,
-       [](const DueEvidence& of) {
-         return of.reference != ReferenceState::kIntact && of.reference != ReferenceState::kAbsent;
-       }},
-      {FingerDue::kCalibration,
-       [](const DueEvidence& of) {
-         return !of.has_mapping || of.reference == ReferenceState::kAbsent;
-       }},
-      {FingerDue::kRepeat, [](const DueEvidence& of) { return of.must_repeat; }},
-      {FingerDue::kCalibrateAgain,
-       [](const DueEvidence& of) {
-         return of.grade == Grade::kUnfit || of.check == CheckVerdict::kRecalibrate;
-       }},
-      {FingerDue::kEvidence,
-       [](const DueEvidence& of) { return !of.grade || of.grade == Grade::kUnproven; }},
-      {FingerDue::kFirstCheck, [](const DueEvidence& of) { return !of.check; }},
-      {FingerDue::kInspect,
-       [](const DueEvidence& of) { return of.check == CheckVerdict::kDrifting; }},
-      {FingerDue::kMorePresses,
-       [](const DueEvidence& of) { return of.check == CheckVerdict::kTooFew; }},
-      {FingerDue::kCheck,
-       [](const DueEvidence& of) {
-         // A check from tomorrow was stamped by a wrong clock.
-         return !of.check_days || *of.check_days > kCheckEveryDays || *of.check_days < -1;
-       }},
-  };
-  for (const Rule& rule : kRules)
-    if (rule.holds(e)) return rule.due;
+  const bool has_reference = e.reference != ReferenceState::kAbsent;
+  if (e.needs_recording && !has_reference) return FingerDue::kRecording;
+  if (has_reference && e.reference != ReferenceState::kIntact) return FingerDue::kRepair;
+  if (!e.has_mapping || !has_reference) return FingerDue::kCalibration;
+  if (e.must_repeat) return FingerDue::kRepeat;
+  if (e.grade == Grade::kUnfit || e.check == CheckVerdict::kRecalibrate)
+    return FingerDue::kCalibrateAgain;
+  if (!e.grade || e.grade == Grade::kUnproven) return FingerDue::kEvidence;
+  if (!e.check) return FingerDue::kFirstCheck;
+  if (e.check == CheckVerdict::kDrifting) return FingerDue::kInspect;
+  if (e.check == CheckVerdict::kTooFew) return FingerDue::kMorePresses;
+  // A check from tomorrow was stamped by a wrong clock.
+  if (!e.check_days || *e.check_days > kCheckEveryDays || *e.check_days < -1)
+    return FingerDue::kCheck;
   return FingerDue::kNothing;
 }
 

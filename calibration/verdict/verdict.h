@@ -25,7 +25,6 @@
 // Measured in random campaigns on faces painted by independent code (tests/calibration/verdict).
 #pragma once
 
-#include "calibration/verdict/contradiction.h"
 #include "core/base/message.h"
 #include "core/finger/finger.h"
 
@@ -36,6 +35,39 @@
 #include <vector>
 
 namespace alltact {
+
+// Numbers given for a calibration that its presses contradict.
+
+enum class ContradictionKind {
+  kContactWiderThanBall = 1,  ///< a dark part is wider than the ball itself
+  kContactDeeperThanLayer,    ///< a ball lies deeper than the layer is thick
+  kDepthBeyondMapping,        ///< a press is darker than the mapping reaches
+  kFaceWidthAgainstCamera,    ///< the face's edges and the camera give another width
+  kReferenceContact,          ///< skin is brighter in presses than in the reference
+};
+/// As finger.yaml writes it: "contact_wider_than_ball", ...
+[[nodiscard]] std::string_view to_string(ContradictionKind kind);
+
+struct Contradiction {
+  ContradictionKind kind;
+  std::vector<std::string> presses;  ///< that show it, by name
+  double given_mm = 0;               ///< the number: a ball's radius, the layer, the width, a depth
+  /// in the presses: the smallest value, or a position along the face
+  double measured_mm = 0;
+  double measured_to_mm = 0;  ///< the greatest; 0: as measured_mm
+  int of = 0;                 ///< presses that were analysed
+};
+
+/// The number is certainly wrong, so that no depth is valid: the grade is unfit at best.
+[[nodiscard]] bool rules_out_use(ContradictionKind kind);
+
+/// The two sides of the contradiction, and what to check.
+[[nodiscard]] Message sentence(const Contradiction& contradiction);
+
+/// The form stored in finger.yaml, where presses are counted.
+[[nodiscard]] RecordedContradiction recorded(const Contradiction& contradiction);
+
+// Grades and errors.
 
 enum class Grade {
   kGood = 1,  ///< shape and depth can be measured
@@ -119,6 +151,9 @@ struct CalibrationEvidence {
   Message repeat_command;                ///< which calibrates again from the stored presses
 };
 
+/// An entry of finger.yaml's provenance; empty where there is none.
+[[nodiscard]] std::string provenance_of(const Finger& finger, const char* key);
+
 /// Evidence of a calibrated finger from finger.yaml alone, including changes since the calibration.
 /// Defaults where the finger has no record.
 [[nodiscard]] CalibrationEvidence evidence_of(const Finger& finger);
@@ -154,6 +189,9 @@ enum class CheckVerdict { kPass = 1, kDrifting, kRecalibrate, kTooFew };
 [[nodiscard]] Message word_of(CheckVerdict verdict);
 /// Of the thirds along a face: "base", "middle", "tip" (flat: "left", "middle", "right").
 [[nodiscard]] Message third_name(bool is_flat, std::size_t third);
+
+/// "width, camera and layer".
+[[nodiscard]] Message enumerated(const std::vector<Message>& names);
 
 /// Presses that a check needs to pass. With three distinct positions the mean's standard error has
 /// two degrees of freedom, the fewest that separate one bad press from a bad mapping.

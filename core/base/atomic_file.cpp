@@ -28,22 +28,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class Descriptor {
- public:
-  explicit Descriptor(int number) : number_(number) {}
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() {
-    if (number_ >= 0) ::close(number_);
-  }
-  [[nodiscard]] int number() const { return number_; }
-  /// Some disks report a failed write only at the close.
-  [[nodiscard]] bool close() { return ::close(std::exchange(number_, -1)) == 0; }
-
- private:
-  int number_;
-};
-
 /// A file that is removed with this object, unless retain() was called.
 class Temporary {
  public:
@@ -157,7 +141,7 @@ Status sync_folder(const fs::path& folder) {
   const DiskWait waiting(folder);
   Descriptor descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   // Some file systems have no fsync of a folder (EINVAL).
-  if (descriptor.number() < 0 || (::fsync(descriptor.number()) != 0 && errno != EINVAL))
+  if (!descriptor.is_open() || (::fsync(descriptor.number()) != 0 && errno != EINVAL))
     return system_error(en::say("could not confirm that the folder is on the disk"), folder, errno);
   return {};
 }
@@ -165,7 +149,7 @@ Status sync_folder(const fs::path& folder) {
 Status sync_disk_of(const fs::path& folder) {
   const DiskWait waiting(folder);
   Descriptor descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (descriptor.number() < 0 || ::syncfs(descriptor.number()) != 0)
+  if (!descriptor.is_open() || ::syncfs(descriptor.number()) != 0)
     return system_error(en::say("could not confirm that the files are on the disk"), folder, errno);
   return {};
 }
@@ -177,7 +161,7 @@ Status write_file_atomically(const fs::path& file,
     const DiskWait waiting(file);
     // The other library may have replaced the temporary file.
     const Descriptor written(::open(temporary.c_str(), O_RDONLY | O_CLOEXEC));
-    if (written.number() < 0 || ::fsync(written.number()) != 0)
+    if (!written.is_open() || ::fsync(written.number()) != 0)
       return system_error(kWriting, file, errno);
     return {};
   });
@@ -187,7 +171,7 @@ Result<std::string> read_file(const fs::path& file, std::size_t limit_bytes) {
   const Message kReading = en::say("could not read the file");
   const DiskWait waiting(file);
   Descriptor descriptor(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
-  if (descriptor.number() < 0) return system_error(kReading, file, errno);
+  if (!descriptor.is_open()) return system_error(kReading, file, errno);
   struct stat status {};
   if (::fstat(descriptor.number(), &status) != 0) return system_error(kReading, file, errno);
   if (S_ISDIR(status.st_mode)) return system_error(kReading, file, EISDIR);
@@ -449,10 +433,11 @@ Result<LockFile> LockFile::hold(const std::filesystem::path& file, const std::st
                                 std::chrono::milliseconds timeout) {
   const auto end = std::chrono::steady_clock::now() + timeout;
   while (true) {
-    const int descriptor = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
-    if (descriptor < 0)
+    Descriptor opened(::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666));
+    if (!opened.is_open())
       return system_error(en::say("could not be written"), file.parent_path().string(), errno);
-    LockFile held(file, descriptor);
+    const int descriptor = opened.number();
+    LockFile held(file, std::move(opened));
     if (flock(descriptor, LOCK_EX | LOCK_NB) == 0) {
       if (!is_still_there(file, descriptor)) {
         held.file_.clear();  // now another owner's, who removes it
@@ -471,9 +456,6 @@ Result<LockFile> LockFile::hold(const std::filesystem::path& file, const std::st
   }
 }
 
-LockFile::LockFile(LockFile&& other) noexcept
-    : file_(std::exchange(other.file_, {})), descriptor_(std::exchange(other.descriptor_, -1)) {}
-
 LockFile& LockFile::operator=(LockFile&& other) noexcept {
   std::swap(file_, other.file_);
   std::swap(descriptor_, other.descriptor_);
@@ -481,11 +463,9 @@ LockFile& LockFile::operator=(LockFile&& other) noexcept {
 }
 
 LockFile::~LockFile() {
-  if (descriptor_ < 0) return;
   // Removed under the lock: a program that opened it meanwhile detects that it is gone, and
   // retries.
-  if (!file_.empty()) unlink(file_.c_str());
-  close(descriptor_);
+  if (descriptor_.is_open() && !file_.empty()) unlink(file_.c_str());
 }
 
 std::string this_process(const std::string& doing) {

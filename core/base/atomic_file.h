@@ -1,6 +1,7 @@
 // Atomic replacement of files.
 #pragma once
 
+#include "core/base/descriptor.h"
 #include "core/base/result.h"
 
 #include <chrono>
@@ -108,16 +109,16 @@ class LockFile {
   [[nodiscard]] static Result<LockFile> hold(const std::filesystem::path& file,
                                              const std::string& who,
                                              std::chrono::milliseconds timeout);
-  LockFile(LockFile&& other) noexcept;
+  LockFile(LockFile&& other) noexcept = default;
   LockFile& operator=(LockFile&& other) noexcept;
   ~LockFile();
 
  private:
-  LockFile(std::filesystem::path file, int descriptor)
-      : file_(std::move(file)), descriptor_(descriptor) {}
+  LockFile(std::filesystem::path file, Descriptor descriptor)
+      : file_(std::move(file)), descriptor_(std::move(descriptor)) {}
 
   std::filesystem::path file_;
-  int descriptor_ = -1;
+  Descriptor descriptor_;
 };
 
 /// Returns "DOING, process 4711 on ada, since 12:00:05 UTC", for `who`.

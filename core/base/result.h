@@ -20,12 +20,27 @@ struct Where : Message {
   Where(Message phrase) : Message(std::move(phrase)) {}                        // NOLINT
 };
 
+/// Kinds of errors that callers distinguish; all others are kOther.
+enum class ErrorKind {
+  kOther = 0,
+  kMissingKey,        ///< YAML: a required key is absent
+  kUnknownWord,       ///< YAML: the value is none of the permitted words
+  kWrongValue,        ///< YAML: "must be ...": wrong type or outside the limits
+  kWrongItem,         ///< YAML: the same of a number in a list
+  kNoBlock,           ///< YAML: the value must be a block of keys
+  kNoList,            ///< YAML: the value must be a list
+  kFoldedLens,        ///< the distortion folds over inside the image
+  kUncertainFace,     ///< the distance of the face is too uncertain everywhere
+  kUndeterminedLens,  ///< the views determine no lens, or contradict every lens
+};
+
 /// What happened, where, and what the technician can try. Each part is a sentence or phrase without
 /// a full stop; `where` and `advice` may be empty.
 struct Error {
   Message what;
   Where where;
   Message advice;
+  ErrorKind kind = ErrorKind::kOther;
 
   /// "where: what. Try: advice", without the last full stop.
   [[nodiscard]] Message message() const {

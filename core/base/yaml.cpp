@@ -3,7 +3,6 @@
 #include "core/base/atomic_file.h"
 #include "core/base/message.h"
 #include "core/base/typed_number.h"
-#include "core/base/yaml_parts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,13 +11,46 @@
 #include <sstream>
 
 #include <yaml-cpp/eventhandler.h>
+#include <yaml-cpp/yaml.h>
 
 namespace alltact {
+
+struct YamlSection::Entry {
+  std::string key;
+  YAML::Node value;
+  int line;
+  bool is_read = false;
+};
+
+struct YamlFile::Section {
+  std::string name;
+  int line;
+  std::vector<YamlSection::Entry> entries;
+  std::vector<std::string> requested;
+
+  /// Requested keys that the section does not have.
+  [[nodiscard]] std::vector<std::string> absent() const {
+    std::vector<std::string> keys = requested;
+    for (const YamlSection::Entry& entry : entries) std::erase(keys, entry.key);
+    return keys;
+  }
+};
+
 namespace {
 
+/// Ends the reading of a file; YamlFile::read() catches it.
+struct RefusedYaml {
+  Error error;
+};
+
+constexpr std::size_t kLongestYamlKey = 200;
 constexpr int kMaxDepth = 20;                  // of unknown values
 constexpr std::size_t kMaxRetained = 100'000;  // aliases let a short file stand for a huge one
 constexpr std::size_t kMaxRead = 1'000'000;
+
+int line_of_mark(const YAML::Mark& mark) { return mark.is_null() ? 1 : mark.line + 1; }
+
+bool is_quoted(const YAML::Node& node) { return node.Tag() == "!"; }
 
 /// Copies an unknown value; nullopt where it is too deep, too large or has keys that are no plain
 /// words.
@@ -95,10 +127,11 @@ std::optional<YAML::Mark> second_document(const std::string& content) {
 YamlFile::YamlFile(std::filesystem::path path, Unknown policy)
     : path_(std::move(path)), policy_(policy) {}
 
-Error YamlFile::error(Message what, int line, std::string_view key, Message advice) const {
+Error YamlFile::error(Message what, int line, std::string_view key, Message advice,
+                      ErrorKind kind) const {
   const std::string location = fmt::format("{}:{}", path_.string(), line);
   return {std::move(what), key.empty() ? location : fmt::format("{}: {}", location, printable(key)),
-          std::move(advice)};
+          std::move(advice), kind};
 }
 
 Status YamlFile::load(const std::function<void(YamlSection&)>& reader) {
@@ -135,7 +168,7 @@ Error YamlFile::located(const Error& error) const {
     key.resize(dot == std::string::npos ? 0 : dot);
   }
   const int line = key.empty() ? 1 : lines_.at(key);
-  return this->error(error.what, line, error.where.english(), error.advice);
+  return this->error(error.what, line, error.where.english(), error.advice, error.kind);
 }
 
 void YamlFile::count(std::size_t parts) {
@@ -248,7 +281,7 @@ YamlSection::YamlSection(YamlFile& file, const YAML::Node& node, std::string nam
   if (node.IsNull()) return;  // the first required key will be reported as missing
   if (!node.IsMap())
     refuse("", en::say("must be a block of 'key: value' lines, not {}", shown(node)),
-           en::say("compare with another file of this kind"));
+           en::say("compare with another file of this kind"), ErrorKind::kNoBlock);
   file.count(node.size() + 1);
   std::set<std::string> seen;
   for (const auto& entry : node) {
@@ -294,8 +327,10 @@ std::string YamlSection::where(const std::string& key) const {
   return file_->error("", line_of(key), full_name(key), "").where.english();
 }
 
-void YamlSection::refuse(const std::string& key, Message what, Message advice) const {
-  throw RefusedYaml{file_->error(std::move(what), line_of(key), full_name(key), std::move(advice))};
+void YamlSection::refuse(const std::string& key, Message what, Message advice,
+                         ErrorKind kind) const {
+  throw RefusedYaml{
+      file_->error(std::move(what), line_of(key), full_name(key), std::move(advice), kind)};
 }
 
 const YamlSection::Entry* YamlSection::find(const std::string& key) const {
@@ -325,6 +360,8 @@ bool YamlSection::has_sections(const std::string& key) const {
          entry->value[0].IsMap();
 }
 
+const std::vector<std::string>& YamlSection::requested_keys() const { return section_->requested; }
+
 std::vector<std::string> YamlSection::keys() const {
   std::vector<std::string> result;
   for (const Entry& entry : section_->entries) result.push_back(entry.key);
@@ -343,7 +380,8 @@ YamlSection::Entry& YamlSection::required(const std::string& key) {
                                      : en::say("add '{}: ...' under '{}:'", key, printable(name()));
   throw RefusedYaml{file_->error(
       en::say("is missing"), section_->line, full_name(key),
-      meant.empty() ? add : en::say("write '{}' instead of '{}'", key, printable(meant)))};
+      meant.empty() ? add : en::say("write '{}' instead of '{}'", key, printable(meant)),
+      ErrorKind::kMissingKey)};
 }
 
 YamlSection YamlSection::section(const std::string& key) {
@@ -361,7 +399,8 @@ std::vector<YamlSection> YamlSection::sections(const std::string& key) {
 
 std::string YamlSection::text(const std::string& key) {
   const Entry& entry = required(key);
-  if (!entry.value.IsScalar()) refuse(key, en::say("must be text, not {}", shown(entry.value)), "");
+  if (!entry.value.IsScalar())
+    refuse(key, en::say("must be text, not {}", shown(entry.value)), "", ErrorKind::kWrongValue);
   return entry.value.Scalar();
 }
 
@@ -372,7 +411,7 @@ std::size_t YamlSection::choice(const std::string& key,
   const auto found = std::find(words.begin(), words.end(), given);
   if (found == words.end() || !value.IsScalar())
     refuse(key, en::say("{} is not known here", shown(value)),
-           one_of({words.begin(), words.end()}, given));
+           one_of({words.begin(), words.end()}, given), ErrorKind::kUnknownWord);
   return static_cast<std::size_t>(found - words.begin());
 }
 
@@ -383,7 +422,7 @@ double YamlSection::number(const std::string& key, const Message& meaning) {
     if (const auto ambiguity = ambiguity_of(entry.value)) refuse(key, *ambiguity, number_advice());
   if (!value)
     refuse(key, en::say("must be a number, {}, not {}", meaning, shown(entry.value)),
-           number_advice());
+           number_advice(), ErrorKind::kWrongValue);
   return *value;
 }
 
@@ -400,7 +439,8 @@ double YamlSection::checked(const std::string& key, const YAML::Node& node, Limi
   refuse(key,
          is_item ? en::say("holds {}, which is not {}", shown(node), allowed)
                  : en::say("must be {}, not {}", allowed, shown(node)),
-         value ? Message() : number_advice());
+         value ? Message() : number_advice(),
+         is_item ? ErrorKind::kWrongItem : ErrorKind::kWrongValue);
 }
 
 double YamlSection::number(const std::string& key, Limits limits) {
@@ -418,7 +458,7 @@ int YamlSection::integer(const std::string& key, int low, int high) {
     if (const auto ambiguity = ambiguity_of(entry.value)) refuse(key, *ambiguity, number_advice());
   if (!value || *value != std::floor(*value) || *value < low || *value > high)
     refuse(key, en::say("must be an integer from {} to {}, not {}", low, high, shown(entry.value)),
-           "");
+           "", ErrorKind::kWrongValue);
   return static_cast<int>(*value);
 }
 
@@ -429,7 +469,8 @@ int YamlSection::integer_or(const std::string& key, int otherwise, int low, int 
 const YAML::Node& YamlSection::list(const std::string& key) {
   const Entry& entry = required(key);
   if (!entry.value.IsSequence())
-    refuse(key, en::say("must be a list, not {}", shown(entry.value)), en::say("[..., ...]"));
+    refuse(key, en::say("must be a list, not {}", shown(entry.value)), en::say("[..., ...]"),
+           ErrorKind::kNoList);
   file_->count(entry.value.size());
   return entry.value;
 }

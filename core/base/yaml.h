@@ -65,7 +65,8 @@ class YamlFile {
 
  private:
   friend class YamlSection;
-  [[nodiscard]] Error error(Message what, int line, std::string_view key, Message advice) const;
+  [[nodiscard]] Error error(Message what, int line, std::string_view key, Message advice,
+                            ErrorKind kind = ErrorKind::kOther) const;
   void count(std::size_t parts);
   void check_unread_keys();
 
@@ -101,6 +102,8 @@ class YamlSection {
   [[nodiscard]] bool has_section(const std::string& key) const;
   /// A list that begins with a section.
   [[nodiscard]] bool has_sections(const std::string& key) const;
+  /// Keys that the reader has requested up to now, in the order of the first requests.
+  [[nodiscard]] const std::vector<std::string>& requested_keys() const;
   /// All keys, for sections whose keys are names.
   [[nodiscard]] std::vector<std::string> keys() const;
 
@@ -130,7 +133,8 @@ class YamlSection {
   [[nodiscard]] std::map<std::string, std::string> all_texts();
 
   /// For problems that only the reader detects. An empty key: the entire section.
-  [[noreturn]] void refuse(const std::string& key, Message what, Message advice) const;
+  [[noreturn]] void refuse(const std::string& key, Message what, Message advice,
+                           ErrorKind kind = ErrorKind::kOther) const;
   /// "file:line: section.key" for errors; of the entire section where `key` is empty.
   [[nodiscard]] std::string where(const std::string& key) const;
   [[nodiscard]] const YamlFile& file() const { return *file_; }

@@ -135,7 +135,8 @@ Result<Camera> Camera::create(const CameraParameters& parameters) {
                 "two directions"),
         std::string("camera.distortion"),
         en::say("run 'alltact lens' with boards that reach into the corners, or with fewer "
-                "coefficients")};
+                "coefficients"),
+        ErrorKind::kFoldedLens};
   return camera;
 }
 

@@ -51,17 +51,15 @@ GaugeLog::GaugeLog(std::unique_ptr<GaugeSource> source, GaugeOpener open, std::s
 GaugeLog::~GaugeLog() {
   stopping_ = true;
   thread_.join();
-  if (descriptor_ >= 0) ::close(descriptor_);
 }
 
 Status GaugeLog::begin(const std::filesystem::path& file) {
   const std::lock_guard lock(mutex_);
-  const int descriptor =
-      ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0666);
-  if (descriptor < 0)
+  Descriptor opened(
+      ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0666));
+  if (!opened.is_open())
     return system_error(en::say("could not write the gauge's readings"), file, errno);
-  if (descriptor_ >= 0) ::close(descriptor_);
-  descriptor_ = descriptor;
+  descriptor_ = std::move(opened);
   file_ = file;
   status_ = {};
   counts_ = {};
@@ -77,7 +75,7 @@ Status GaugeLog::begin(const std::filesystem::path& file) {
 
 void GaugeLog::sync_clock(const Frame& frame) {
   const std::lock_guard lock(mutex_);
-  if (is_clock_synced_ || descriptor_ < 0 || frame.time_ns == 0) return;
+  if (is_clock_synced_ || !descriptor_.is_open() || frame.time_ns == 0) return;
   const double offset_s = gauge_clock_s() - 1e-9 * static_cast<double>(frame.time_ns);
   clock_offset_s_ = offset_s >= -1 && offset_s < kOldestFrame_s ? 0 : offset_s;
   is_clock_synced_ = true;
@@ -87,10 +85,10 @@ void GaugeLog::sync_clock(const Frame& frame) {
 
 Result<GaugeLog::Counts> GaugeLog::end() {
   const std::lock_guard lock(mutex_);
-  if (descriptor_ < 0) return counts_;
-  if (::fsync(descriptor_) != 0 && errno != EINVAL && status_.ok())
+  if (!descriptor_.is_open()) return counts_;
+  if (::fsync(descriptor_.number()) != 0 && errno != EINVAL && status_.ok())
     status_ = system_error(en::say("could not write the gauge's readings"), file_, errno);
-  ::close(std::exchange(descriptor_, -1));
+  descriptor_ = Descriptor();
   if (!status_) return status_.error();
   return counts_;
 }
@@ -134,7 +132,7 @@ void GaugeLog::take(const GaugeUpdate& update) {
   remarks_.insert(remarks_.end(), update.remarks.begin(), update.remarks.end());
   for (const GaugeSample& sample : update.samples) {
     store_recent(sample);
-    if (descriptor_ < 0) continue;
+    if (!descriptor_.is_open()) continue;
     if (is_clock_synced_)
       write(sample);
     else
@@ -156,7 +154,7 @@ void GaugeLog::write(const GaugeSample& sample) {
 void GaugeLog::write_text(const std::string& text) {
   std::string_view rest = text;
   while (status_.ok() && !rest.empty()) {
-    const ssize_t size = ::write(descriptor_, rest.data(), rest.size());
+    const ssize_t size = ::write(descriptor_.number(), rest.data(), rest.size());
     if (size > 0) {
       rest.remove_prefix(static_cast<std::size_t>(size));
     } else if (errno != EINTR) {

@@ -10,6 +10,7 @@
 // is none from then on: the gauge was over range or unplugged, or a typed value is no longer valid.
 #pragma once
 
+#include "core/base/descriptor.h"
 #include "core/base/message.h"
 #include "core/base/result.h"
 #include "core/devices/gauge_source.h"
@@ -71,7 +72,7 @@ class GaugeLog {
   std::vector<Message> remarks_;
   std::deque<GaugeSample> recent_, waiting_;
   std::filesystem::path file_;
-  int descriptor_ = -1;
+  Descriptor descriptor_;
   bool is_clock_synced_ = false;
   double clock_offset_s_ = 0;
   Status status_;

@@ -380,43 +380,27 @@ Result<SerialPort> SerialPort::open(const std::filesystem::path& node, int baud)
                  en::say("9600, 19200, 115200 or the speed in the gauge's manual")};
   SerialPort port;
   port.node_ = node;
-  port.descriptor_ = ::open(node.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
-  if (port.descriptor_ < 0)
+  port.descriptor_ = Descriptor(::open(node.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
+  if (!port.descriptor_.is_open())
     return line_error(en::say("the serial line cannot be opened"), node, errno);
-  if (Status status = set_up(port.descriptor_, node, speed->second, baud); !status)
+  if (Status status = set_up(port.descriptor_.number(), node, speed->second, baud); !status)
     return status.error();
-  ::ioctl(port.descriptor_, TIOCEXCL);
+  ::ioctl(port.descriptor_.number(), TIOCEXCL);
   port.discard_input();
   return port;
 }
 
-SerialPort::SerialPort(SerialPort&& other) noexcept
-    : node_(std::move(other.node_)), descriptor_(std::exchange(other.descriptor_, -1)) {}
-
-SerialPort& SerialPort::operator=(SerialPort&& other) noexcept {
-  if (this == &other) return *this;
-  close();
-  node_ = std::move(other.node_);
-  descriptor_ = std::exchange(other.descriptor_, -1);
-  return *this;
-}
-
-SerialPort::~SerialPort() { close(); }
-
-void SerialPort::close() {
-  if (descriptor_ < 0) return;
-  ::ioctl(descriptor_, TIOCNXCL);
-  ::close(descriptor_);
-  descriptor_ = -1;
+SerialPort::~SerialPort() {
+  if (descriptor_.is_open()) ::ioctl(descriptor_.number(), TIOCNXCL);
 }
 
 Result<std::string> SerialPort::read(int timeout_ms) {
-  pollfd waiting{descriptor_, POLLIN, 0};
+  pollfd waiting{descriptor_.number(), POLLIN, 0};
   const int ready = ::poll(&waiting, 1, timeout_ms);
   if (ready < 0 && errno != EINTR) return line_gone(node_);
   if (ready <= 0) return std::string();
   std::string bytes(4096, '\0');
-  const ssize_t size = ::read(descriptor_, bytes.data(), bytes.size());
+  const ssize_t size = ::read(descriptor_.number(), bytes.data(), bytes.size());
   if (size < 0 && (errno == EAGAIN || errno == EINTR)) return std::string();
   // A disconnected line is always ready and has no bytes.
   if (size <= 0) return line_gone(node_);
@@ -426,13 +410,13 @@ Result<std::string> SerialPort::read(int timeout_ms) {
 
 Status SerialPort::write(std::string_view bytes) {
   while (!bytes.empty()) {
-    const ssize_t size = ::write(descriptor_, bytes.data(), bytes.size());
+    const ssize_t size = ::write(descriptor_.number(), bytes.data(), bytes.size());
     if (size > 0) {
       bytes.remove_prefix(static_cast<std::size_t>(size));
       continue;
     }
     if (size < 0 && errno != EAGAIN && errno != EINTR) return line_gone(node_);
-    pollfd waiting{descriptor_, POLLOUT, 0};
+    pollfd waiting{descriptor_.number(), POLLOUT, 0};
     const int ready = ::poll(&waiting, 1, kWriteTimeout_ms);
     if (ready == 0)
       return Error{en::say("the serial line accepts no data"), node_, en::say("check its cable")};
@@ -442,7 +426,7 @@ Status SerialPort::write(std::string_view bytes) {
   return {};
 }
 
-void SerialPort::discard_input() { ::tcflush(descriptor_, TCIFLUSH); }
+void SerialPort::discard_input() { ::tcflush(descriptor_.number(), TCIFLUSH); }
 
 namespace {
 

@@ -1,6 +1,7 @@
 // Opens any gauge by its name.
 #pragma once
 
+#include "core/base/descriptor.h"
 #include "core/base/result.h"
 #include "core/devices/gauge_source.h"
 #include "core/devices/hid_port.h"
@@ -47,8 +48,8 @@ class SerialPort {
   /// existing lines; no serial line; access not allowed, with the group to join; in use; a speed
   /// that the driver refuses.
   [[nodiscard]] static Result<SerialPort> open(const std::filesystem::path& node, int baud);
-  SerialPort(SerialPort&& other) noexcept;
-  SerialPort& operator=(SerialPort&& other) noexcept;
+  SerialPort(SerialPort&& other) noexcept = default;
+  SerialPort& operator=(SerialPort&& other) noexcept = default;
   ~SerialPort();
 
   /// Returns received bytes; waits for the first byte no longer than the timeout. Empty: no byte
@@ -63,10 +64,9 @@ class SerialPort {
 
  private:
   SerialPort() = default;
-  void close();
 
   std::filesystem::path node_;
-  int descriptor_ = -1;
+  Descriptor descriptor_;
 };
 
 /// /dev/serial/by-id/*, which are stable names, else /dev/ttyUSB*, /dev/ttyACM*.

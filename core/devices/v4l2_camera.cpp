@@ -181,7 +181,7 @@ std::uint64_t V4l2Camera::number_of(std::uint32_t driver_sequence) {
   last_driver_sequence_ = driver_sequence;
   if (step > 1) {
     const std::lock_guard lock(status_mutex_);
-    status_.counts.lost += step - 1;
+    status_.lost += step - 1;
   }
   const std::uint64_t number = next_number_ + step - 1;
   next_number_ = number + 1;
@@ -196,7 +196,7 @@ std::int64_t V4l2Camera::time_of(const V4l2Stream::Filled& filled) {
   if (taken_at.correction_ns == 0) return taken_at.time_ns;
   {
     const std::lock_guard lock(status_mutex_);
-    ++status_.counts.mistimed;
+    ++status_.mistimed;
   }
   if (!std::exchange(is_mistime_reported_, true))
     remark(
@@ -210,7 +210,7 @@ void V4l2Camera::check_repeat(const FramePtr& frame) {
   if (!check_.is_repeat(frame)) return;
   {
     const std::lock_guard lock(status_mutex_);
-    ++status_.counts.repeated;
+    ++status_.repeated;
   }
   if (!std::exchange(is_repeat_reported_, true))
     remark(
@@ -249,7 +249,7 @@ void V4l2Camera::publish(const V4l2Stream::Filled& filled) {
   bool is_back = false;
   {
     const std::lock_guard lock(status_mutex_);
-    ++(is_good ? status_.counts.delivered : status_.counts.damaged);
+    ++(is_good ? status_.delivered : status_.damaged);
     is_back = is_good && status_.trouble.has_value();
     if (is_back) {
       status_.state = CameraState::kStreaming;
@@ -269,7 +269,7 @@ void V4l2Camera::restart(const Error& why) {
   trouble(CameraState::kStalled, why);
   {
     const std::lock_guard lock(status_mutex_);
-    ++status_.counts.restarts;
+    ++status_.restarts;
   }
   auto stream = V4l2Stream::start(*device_);
   last_frame_ = Clock::now();
@@ -288,7 +288,7 @@ void V4l2Camera::drop_device(const Error& why) {
   }
   {
     const std::lock_guard lock(status_mutex_);
-    ++status_.counts.unplugged;
+    ++status_.unplugged;
   }
   trouble(CameraState::kGone, why);
 }
@@ -493,7 +493,7 @@ void V4l2Camera::on_change(const ControlValue& change) {
   const Status status = write_control(*device_, *held);
   if (status.ok()) {
     const std::lock_guard status_lock(status_mutex_);
-    ++status_.counts.restored;
+    ++status_.restored;
   }
   const Message changed = en::say("'{}' was changed from {} to {} by something else", held->name,
                                   held->value, change.value);

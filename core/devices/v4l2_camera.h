@@ -72,21 +72,17 @@ enum class CameraState {
   kGone,     ///< unplugged; waits for it to come back
 };
 
-struct CameraCounts {
-  std::uint64_t delivered = 0;  ///< frames published
-  std::uint64_t lost = 0;       ///< gaps in the driver's numbers
-  std::uint64_t damaged = 0;    ///< truncated or marked as damaged: not published
-  std::uint64_t repeated = 0;   ///< among the delivered: equal to the frame before
-  std::uint64_t mistimed = 0;   ///< among the delivered: with an impossible time
-  std::uint64_t restarts = 0;   ///< of the stream after a stall or a fault
-  std::uint64_t unplugged = 0;
-  std::uint64_t restored = 0;  ///< locked controls that had changed and were set again
-};
-
 struct CameraStatus {
   CameraState state = CameraState::kStreaming;
   std::optional<Error> trouble;  ///< why no frames come now
-  CameraCounts counts;
+  std::uint64_t delivered = 0;   ///< frames published
+  std::uint64_t lost = 0;        ///< gaps in the driver's numbers
+  std::uint64_t damaged = 0;     ///< truncated or marked as damaged: not published
+  std::uint64_t repeated = 0;    ///< among the delivered: equal to the frame before
+  std::uint64_t mistimed = 0;    ///< among the delivered: with an impossible time
+  std::uint64_t restarts = 0;    ///< of the stream after a stall or a fault
+  std::uint64_t unplugged = 0;
+  std::uint64_t restored = 0;    ///< locked controls that had changed and were set again
   std::uint64_t remarked = 0;    ///< number of remarks since it was opened
   std::vector<Message> remarks;  ///< the latest twenty: changed controls, recoveries, repeated
                                  ///< frames, a wrong clock

@@ -49,7 +49,7 @@ struct EdgePositions {
 
 /// A contradiction between a calibration's data and a number given for it.
 struct RecordedContradiction {
-  std::string kind;           ///< as calibration/verdict/contradiction.h writes it
+  std::string kind;           ///< as calibration/verdict/verdict.h writes it
   int presses = 0, of = 0;    ///< number of presses that show it, and of all
   double given_mm = 0;        ///< the given number
   double measured_mm = 0;     ///< minimum of the value measured from the presses

@@ -1,4 +1,4 @@
-// Content of finger.yaml, to and from YAML.
+// Parts of finger.yaml that other files contain as well.
 #pragma once
 
 #include "core/base/result.h"
@@ -9,29 +9,11 @@
 
 #include <optional>
 #include <string>
-#include <string_view>
-#include <vector>
 
 namespace alltact {
 
-/// For YamlFile::read(). Checks the form of the values; Finger::validate checks the values.
-[[nodiscard]] Finger read_finger(YamlSection& top);
-
-/// A valid finger as a file. `unknown`: unknown keys of its original file.
-[[nodiscard]] std::string finger_text(const Finger& finger, const UnknownKeys& unknown);
-
-/// The words of the file, in the order of the enums, which count from 1.
-using FingerWords = std::vector<std::string_view>;
-inline const FingerWords kFaceKinds{"fin_ray", "flat"};
-inline const FingerWords kPolarities{"bright", "dark", "auto"};
-inline const FingerWords kMappingKinds{"polynomial", "moebius"};
-inline const FingerWords kAlongs{"z", "normal", "projected"};
-
-// The key `camera:` of a finger file, to and from YAML.
-
-/// For YamlFile::read(). Checks the form of the values; Camera::create() checks the values.
-[[nodiscard]] CameraParameters read_camera(YamlSection& section, LensRecord& record);
-/// `unknown`: the file's other keys; the caller adds those directly under `camera`.
+/// Writes the key `camera:` of a finger file. `unknown`: the file's other keys; the caller adds
+/// those directly under `camera`.
 void add_camera(const CameraParameters& parameters, const LensRecord& record,
                 const UnknownKeys& unknown, YamlBlock& block);
 

@@ -14,159 +14,23 @@
 namespace alltact {
 namespace {
 
-constexpr std::int64_t kMaxSidePx = 16384;
-constexpr double kMaxColour = 0.12;  // mean distance of the channels from grey, relative to the
-                                     // mean grey
-constexpr double kBlack = 4;         // grey level
+using std::string_view_literals::operator""sv;
 
-Error at(const std::filesystem::path& file, Error error) {
-  error.where = file.string();
-  return error;
-}
+enum class ImageFormat { kPng = 1, kJpeg, kBmp, kPgm, kTiff };
 
-struct Encoded {
-  std::string content;
-  ImageHeader header;
+struct ImageHeader {
+  ImageFormat format = ImageFormat::kPng;
+  std::int64_t width_px = 0, height_px = 0;
+  int bits = 0;      ///< per channel
+  int channels = 0;  ///< without the alpha channel
+  bool is_float = false;
+  bool has_transparency = false;
 };
 
-/// The file's bytes, after its header was checked for completeness and size.
-Result<Encoded> read_encoded(const std::filesystem::path& file) {
-  auto content = read_file(file);
-  if (!content) return content.error();
-  auto header = image_header(*content);
-  if (!header) return at(file, header.error());
-  const auto [width, height] = std::pair(header->width_px, header->height_px);
-  if (width < 1 || height < 1 || width > kMaxSidePx || height > kMaxSidePx)
-    return Error{en::say("the image header gives {} x {} px; a side must have 1 to {}", width,
-                         height, kMaxSidePx),
-                 file.string(), en::say("a smaller image, or copy it again if that size is wrong")};
-  return Encoded{std::move(*content), *header};
+/// Of a chunk's type and data (PNG, third edition, annex D): a CRC of polynomial 0xEDB88320.
+std::uint32_t png_check_sum(std::string_view type_and_data) {
+  return libdeflate_crc32(0, type_and_data.data(), type_and_data.size());
 }
-
-/// Empty where the decoder gives up.
-cv::Mat decode(const Encoded& encoded) {
-  try {
-    // Unchanged: the camera's pixels, also where a tag requests a rotation.
-    return cv::imdecode(cv::Mat(1, static_cast<int>(encoded.content.size()), CV_8UC1,
-                                const_cast<char*>(encoded.content.data())),
-                        cv::IMREAD_UNCHANGED);
-  } catch (const cv::Exception&) {
-    return {};
-  }
-}
-
-Error not_decodable(const std::filesystem::path& file) {
-  return {en::say("the image is damaged or truncated"), file.string(),
-          en::say("copy or record it again")};
-}
-
-std::optional<Error> unfit_for_grey(const ImageHeader& header) {
-  if (header.is_float || header.bits > 8)
-    return Error{header.is_float
-                     ? en::say("the image has {} bits per channel (floating point); 8 are needed",
-                               header.bits)
-                     : en::say("the image has {} bits per channel; 8 are needed", header.bits),
-                 "", en::say("the camera's 8-bit images")};
-  if (header.has_transparency)
-    return Error{en::say("the image has transparent parts; a camera image has none"), "",
-                 en::say("the image as the camera took it, without an alpha channel")};
-  if (header.channels != 1 && header.channels != 3)
-    return Error{en::say("the image has {} channels; 1 or 3 are needed", header.channels), "",
-                 en::say("the image as the camera took it")};
-  return std::nullopt;
-}
-
-/// Mean absolute distance of the channels from grey, relative to the mean grey.
-double colourfulness(const cv::Mat& bgr, const cv::Mat& grey) {
-  cv::Mat three, distance;
-  cv::cvtColor(grey, three, cv::COLOR_GRAY2BGR);
-  cv::absdiff(bgr, three, distance);
-  const cv::Scalar mean = cv::mean(distance);
-  const double grey_level = cv::mean(grey)[0];
-  return grey_level > 0 ? (mean[0] + mean[1] + mean[2]) / 3 / grey_level : 0;
-}
-
-Result<std::vector<unsigned char>> encode(const std::filesystem::path& file, const cv::Mat& image) {
-  std::string ending = file.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  const int type = image.type();
-  const bool is_png = ending == ".png" && (type == CV_8UC1 || type == CV_8UC3);
-  const bool is_tiff =
-      (ending == ".tif" || ending == ".tiff") && (type == CV_32FC1 || type == CV_32FC3);
-  if (image.empty() || !(is_png || is_tiff)) {
-    const Message kind = image.empty() ? en::say("empty") : Message::typed(cv::typeToString(type));
-    return Error{en::say("cannot write this kind of image ({}) under that name", kind),
-                 file.string(), en::say("'.png' for 8-bit images, '.tiff' for floating point")};
-  }
-  const std::vector<int> options = is_png ? std::vector<int>{cv::IMWRITE_PNG_COMPRESSION, 3}
-                                          : std::vector<int>{cv::IMWRITE_TIFF_COMPRESSION, 1};
-  std::vector<unsigned char> bytes;
-  try {
-    if (cv::imencode(ending, image, bytes, options)) return bytes;
-  } catch (const cv::Exception&) {
-    // Like a returned false: neither gives a reason.
-  }
-  return Error{en::say("could not encode the image"), file.string(), en::say("a smaller image")};
-}
-
-}  // namespace
-
-Result<cv::Mat> read_grey_image(const std::filesystem::path& file, std::string* note) {
-  const auto encoded = read_encoded(file);
-  if (!encoded) return encoded.error();
-  if (auto problem = unfit_for_grey(encoded->header)) return at(file, *problem);
-  cv::Mat image = decode(*encoded);
-  if (image.empty()) return not_decodable(file);
-  // The decoded type counts, not the header's.
-  if (image.type() != CV_8UC1 && image.type() != CV_8UC3)
-    return Error{en::say("this kind of image cannot be used ({})",
-                         std::string(cv::typeToString(image.type()))),
-                 file.string(), en::say("8-bit grey images")};
-  if (image.channels() == 3) {
-    cv::Mat grey;
-    cv::cvtColor(image, grey, cv::COLOR_BGR2GRAY);
-    if (const double colour = colourfulness(image, grey); colour > kMaxColour)
-      return Error{en::say("the image is in colour: its channels differ from grey by {:.0f} %",
-                           100 * colour),
-                   file.string(), en::say("an image of the finger under white light")};
-    image = grey;
-  }
-  double brightest = 0;
-  cv::minMaxLoc(image, nullptr, &brightest);
-  if (brightest <= kBlack)
-    return Error{en::say("the image is all black"), file.string(),
-                 en::say("switch on the light, or take off the lens cap")};
-  if (note != nullptr) *note = note_of(encoded->content);
-  return image;
-}
-
-Status write_image(const std::filesystem::path& file, const cv::Mat& image, std::string_view note) {
-  const auto bytes = encode(file, image);
-  if (!bytes) return bytes.error();
-  const std::string_view content(reinterpret_cast<const char*>(bytes->data()), bytes->size());
-  if (note.empty()) return write_file_atomically(file, content);
-  assert(image.depth() == CV_8U);  // a PNG
-  return write_file_atomically(file, with_note(content, note));
-}
-
-Result<cv::Mat> read_float_image(const std::filesystem::path& file) {
-  const auto encoded = read_encoded(file);
-  if (!encoded) return encoded.error();
-  const ImageHeader& header = encoded->header;
-  if (header.format != ImageFormat::kTiff || !header.is_float || header.bits != 32 ||
-      (header.channels != 1 && header.channels != 3))
-    return Error{en::say("the image is no 32-bit floating-point TIFF with 1 or 3 channels"),
-                 file.string(), en::say("a depth or points image written by this program")};
-  cv::Mat image = decode(*encoded);
-  if (image.empty()) return not_decodable(file);
-  if (image.type() != CV_32FC1 && image.type() != CV_32FC3) return not_decodable(file);
-  return image;
-}
-
-namespace {
-
-using std::string_view_literals::operator""sv;
 
 Error truncated() {
   return {en::say("the image is truncated"), "", en::say("copy or record it again")};
@@ -380,8 +244,9 @@ Result<ImageHeader> tiff_header(std::string_view content) {
   return header;
 }
 
-}  // namespace
-
+/// Reads the header and walks to the end of the image, because decoders silently fill up a
+/// truncated file. Errors (without `where`): unknown format, an invalid header, a file that ends
+/// too early.
 Result<ImageHeader> image_header(std::string_view content) {
   if (content.empty())
     return Error{en::say("the file is empty"), "", en::say("copy or record it again")};
@@ -394,9 +259,157 @@ Result<ImageHeader> image_header(std::string_view content) {
                en::say("PNG, JPEG, BMP, binary PGM or TIFF")};
 }
 
-namespace {
+constexpr std::int64_t kMaxSidePx = 16384;
+constexpr double kMaxColour = 0.12;  // mean distance of the channels from grey, relative to the
+                                     // mean grey
+constexpr double kBlack = 4;         // grey level
 
-using std::string_view_literals::operator""sv;
+Error at(const std::filesystem::path& file, Error error) {
+  error.where = file.string();
+  return error;
+}
+
+struct Encoded {
+  std::string content;
+  ImageHeader header;
+};
+
+/// The file's bytes, after its header was checked for completeness and size.
+Result<Encoded> read_encoded(const std::filesystem::path& file) {
+  auto content = read_file(file);
+  if (!content) return content.error();
+  auto header = image_header(*content);
+  if (!header) return at(file, header.error());
+  const auto [width, height] = std::pair(header->width_px, header->height_px);
+  if (width < 1 || height < 1 || width > kMaxSidePx || height > kMaxSidePx)
+    return Error{en::say("the image header gives {} x {} px; a side must have 1 to {}", width,
+                         height, kMaxSidePx),
+                 file.string(), en::say("a smaller image, or copy it again if that size is wrong")};
+  return Encoded{std::move(*content), *header};
+}
+
+/// Empty where the decoder gives up.
+cv::Mat decode(const Encoded& encoded) {
+  try {
+    // Unchanged: the camera's pixels, also where a tag requests a rotation.
+    return cv::imdecode(cv::Mat(1, static_cast<int>(encoded.content.size()), CV_8UC1,
+                                const_cast<char*>(encoded.content.data())),
+                        cv::IMREAD_UNCHANGED);
+  } catch (const cv::Exception&) {
+    return {};
+  }
+}
+
+Error not_decodable(const std::filesystem::path& file) {
+  return {en::say("the image is damaged or truncated"), file.string(),
+          en::say("copy or record it again")};
+}
+
+std::optional<Error> unfit_for_grey(const ImageHeader& header) {
+  if (header.is_float || header.bits > 8)
+    return Error{header.is_float
+                     ? en::say("the image has {} bits per channel (floating point); 8 are needed",
+                               header.bits)
+                     : en::say("the image has {} bits per channel; 8 are needed", header.bits),
+                 "", en::say("the camera's 8-bit images")};
+  if (header.has_transparency)
+    return Error{en::say("the image has transparent parts; a camera image has none"), "",
+                 en::say("the image as the camera took it, without an alpha channel")};
+  if (header.channels != 1 && header.channels != 3)
+    return Error{en::say("the image has {} channels; 1 or 3 are needed", header.channels), "",
+                 en::say("the image as the camera took it")};
+  return std::nullopt;
+}
+
+/// Mean absolute distance of the channels from grey, relative to the mean grey.
+double colourfulness(const cv::Mat& bgr, const cv::Mat& grey) {
+  cv::Mat three, distance;
+  cv::cvtColor(grey, three, cv::COLOR_GRAY2BGR);
+  cv::absdiff(bgr, three, distance);
+  const cv::Scalar mean = cv::mean(distance);
+  const double grey_level = cv::mean(grey)[0];
+  return grey_level > 0 ? (mean[0] + mean[1] + mean[2]) / 3 / grey_level : 0;
+}
+
+Result<std::vector<unsigned char>> encode(const std::filesystem::path& file, const cv::Mat& image) {
+  std::string ending = file.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const int type = image.type();
+  const bool is_png = ending == ".png" && (type == CV_8UC1 || type == CV_8UC3);
+  const bool is_tiff =
+      (ending == ".tif" || ending == ".tiff") && (type == CV_32FC1 || type == CV_32FC3);
+  if (image.empty() || !(is_png || is_tiff)) {
+    const Message kind = image.empty() ? en::say("empty") : Message::typed(cv::typeToString(type));
+    return Error{en::say("cannot write this kind of image ({}) under that name", kind),
+                 file.string(), en::say("'.png' for 8-bit images, '.tiff' for floating point")};
+  }
+  const std::vector<int> options = is_png ? std::vector<int>{cv::IMWRITE_PNG_COMPRESSION, 3}
+                                          : std::vector<int>{cv::IMWRITE_TIFF_COMPRESSION, 1};
+  std::vector<unsigned char> bytes;
+  try {
+    if (cv::imencode(ending, image, bytes, options)) return bytes;
+  } catch (const cv::Exception&) {
+    // Like a returned false: neither gives a reason.
+  }
+  return Error{en::say("could not encode the image"), file.string(), en::say("a smaller image")};
+}
+
+}  // namespace
+
+Result<cv::Mat> read_grey_image(const std::filesystem::path& file, std::string* note) {
+  const auto encoded = read_encoded(file);
+  if (!encoded) return encoded.error();
+  if (auto problem = unfit_for_grey(encoded->header)) return at(file, *problem);
+  cv::Mat image = decode(*encoded);
+  if (image.empty()) return not_decodable(file);
+  // The decoded type counts, not the header's.
+  if (image.type() != CV_8UC1 && image.type() != CV_8UC3)
+    return Error{en::say("this kind of image cannot be used ({})",
+                         std::string(cv::typeToString(image.type()))),
+                 file.string(), en::say("8-bit grey images")};
+  if (image.channels() == 3) {
+    cv::Mat grey;
+    cv::cvtColor(image, grey, cv::COLOR_BGR2GRAY);
+    if (const double colour = colourfulness(image, grey); colour > kMaxColour)
+      return Error{en::say("the image is in colour: its channels differ from grey by {:.0f} %",
+                           100 * colour),
+                   file.string(), en::say("an image of the finger under white light")};
+    image = grey;
+  }
+  double brightest = 0;
+  cv::minMaxLoc(image, nullptr, &brightest);
+  if (brightest <= kBlack)
+    return Error{en::say("the image is all black"), file.string(),
+                 en::say("switch on the light, or take off the lens cap")};
+  if (note != nullptr) *note = note_of(encoded->content);
+  return image;
+}
+
+Status write_image(const std::filesystem::path& file, const cv::Mat& image, std::string_view note) {
+  const auto bytes = encode(file, image);
+  if (!bytes) return bytes.error();
+  const std::string_view content(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+  if (note.empty()) return write_file_atomically(file, content);
+  assert(image.depth() == CV_8U);  // a PNG
+  return write_file_atomically(file, with_note(content, note));
+}
+
+Result<cv::Mat> read_float_image(const std::filesystem::path& file) {
+  const auto encoded = read_encoded(file);
+  if (!encoded) return encoded.error();
+  const ImageHeader& header = encoded->header;
+  if (header.format != ImageFormat::kTiff || !header.is_float || header.bits != 32 ||
+      (header.channels != 1 && header.channels != 3))
+    return Error{en::say("the image is no 32-bit floating-point TIFF with 1 or 3 channels"),
+                 file.string(), en::say("a depth or points image written by this program")};
+  cv::Mat image = decode(*encoded);
+  if (image.empty()) return not_decodable(file);
+  if (image.type() != CV_32FC1 && image.type() != CV_32FC3) return not_decodable(file);
+  return image;
+}
+
+namespace {
 
 constexpr std::string_view kSignature = "\x89PNG\r\n\x1A\n"sv;
 constexpr std::size_t kHeaderEnd = 33;  // signature, then the chunk IHDR
@@ -443,13 +456,7 @@ std::string note_of(std::string_view png) {
   return {};
 }
 
-std::uint32_t png_check_sum(std::string_view type_and_data) {
-  return libdeflate_crc32(0, type_and_data.data(), type_and_data.size());
-}
-
 namespace {
-
-using std::string_view_literals::operator""sv;
 
 constexpr std::string_view kDepthKeyword = "AllTact depth";
 constexpr int kQuickest = 1;  // level of compression: higher ones cannot reduce the noise in the
@@ -473,16 +480,11 @@ std::string deflated(const std::vector<std::uint8_t>& bytes) {
   return out;
 }
 
-void put_u32(std::string& out, std::uint32_t number) {
-  for (const unsigned shift : {24U, 16U, 8U, 0U})
-    out.push_back(static_cast<char>(number >> shift & 0xFFU));
-}
-
 void put_chunk(std::string& out, std::string_view type, std::string_view data) {
-  put_u32(out, static_cast<std::uint32_t>(data.size()));
+  out += big_endian(static_cast<std::uint32_t>(data.size()));
   const std::size_t begin = out.size();
   out.append(type).append(data);
-  put_u32(out, png_check_sum(std::string_view(out).substr(begin)));
+  out += big_endian(png_check_sum(std::string_view(out).substr(begin)));
 }
 
 /// Rows after the filter `sub`: each sample minus the one before it, byte by byte.
@@ -593,8 +595,8 @@ cv::Mat depth_of_steps(const cv::Mat& steps) {
 std::string grey_png(const cv::Mat& grey, std::string_view keyword, std::string_view text) {
   assert(!grey.empty() && (grey.type() == CV_8UC1 || grey.type() == CV_16UC1));
   std::string png("\x89PNG\r\n\x1A\n"sv), header;
-  put_u32(header, static_cast<std::uint32_t>(grey.cols));
-  put_u32(header, static_cast<std::uint32_t>(grey.rows));
+  header += big_endian(static_cast<std::uint32_t>(grey.cols));
+  header += big_endian(static_cast<std::uint32_t>(grey.rows));
   header.push_back(static_cast<char>(8 * grey.elemSize()));
   header.append("\0\0\0\0"sv);  // grey; deflate, the standard filters, not interlaced
   put_chunk(png, "IHDR", header);

@@ -3,7 +3,6 @@
 
 #include "core/base/result.h"
 
-#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -31,24 +30,6 @@ namespace alltact {
 /// Reads a float TIFF written by write_image (CV_32FC1 or CV_32FC3).
 [[nodiscard]] Result<cv::Mat> read_float_image(const std::filesystem::path& file);
 
-// Header of an image file, checked before decoding.
-
-enum class ImageFormat { kPng = 1, kJpeg, kBmp, kPgm, kTiff };
-
-struct ImageHeader {
-  ImageFormat format = ImageFormat::kPng;
-  std::int64_t width_px = 0, height_px = 0;
-  int bits = 0;      ///< per channel
-  int channels = 0;  ///< without the alpha channel
-  bool is_float = false;
-  bool has_transparency = false;
-};
-
-/// Reads the header and walks to the end of the image, because decoders silently fill up a
-/// truncated file. Errors (without `where`): unknown format, an invalid header, a file that ends
-/// too early.
-[[nodiscard]] Result<ImageHeader> image_header(std::string_view content);
-
 // A short text inside a PNG file.
 
 /// A complete PNG file with `note` (UTF-8) as an iTXt chunk behind its header (PNG, third edition,
@@ -57,11 +38,6 @@ struct ImageHeader {
 
 /// The note of such a file; empty where it has none, or is no complete PNG.
 [[nodiscard]] std::string note_of(std::string_view png);
-
-// Check sum of a PNG chunk.
-
-/// Of a chunk's type and data (PNG, third edition, annex D): a CRC of polynomial 0xEDB88320.
-[[nodiscard]] std::uint32_t png_check_sum(std::string_view type_and_data);
 
 // Depth on disk: exact, or as integer micrometres in a fraction of the space.
 

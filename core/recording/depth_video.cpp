@@ -1,5 +1,6 @@
 #include "core/recording/depth_video.h"
 
+#include "core/base/descriptor.h"
 #include "core/image/image_file.h"
 #include "core/recording/libav.h"
 #include "core/recording/video_file.h"
@@ -136,21 +137,16 @@ struct DepthVideo::State {
   AvPtr<AVCodecContext> decoder;
   MatroskaIndex index;
   std::size_t next = 0;  // block
-  int check = -1;        // the open file, for check sums
+  Descriptor check;      // the open file, for check sums
   AvPtr<AVPacket> packet{av_packet_alloc()};
   AvPtr<AVFrame> frame{av_frame_alloc()};
 
-  State() = default;
-  State(const State&) = delete;
-  State& operator=(const State&) = delete;
-  ~State() {
-    if (check >= 0) ::close(check);
-  }
   /// Reads the next packet; false: there is none. Error: it differs from the written one.
   [[nodiscard]] Result<bool> read() {
     if (next == index.blocks.size()) return false;
     const MatroskaIndex::Block& block = index.blocks[next++];
-    if (!input.read(*packet) || packet->pos != block.data_bytes_at || !is_undamaged(check, block))
+    if (!input.read(*packet) || packet->pos != block.data_bytes_at ||
+        !is_undamaged(check.number(), block))
       return damaged_depth(file);
     return true;
   }
@@ -180,8 +176,8 @@ Result<DepthVideo> DepthVideo::open(const std::filesystem::path& file) {
   state->input = std::move(*input);
   state->decoder = std::move(decoder);
   auto index = index_matroska(file);
-  state->check = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
-  if (!index || !index->is_walkable || state->check < 0) return damaged_depth(file);
+  state->check = Descriptor(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
+  if (!index || !index->is_walkable || !state->check.is_open()) return damaged_depth(file);
   state->index = std::move(index).value();
   return DepthVideo(std::move(state));
 }

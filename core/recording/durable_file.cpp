@@ -65,20 +65,18 @@ Status restore_file(int descriptor, const std::filesystem::path& file, const Job
   if (file.has_parent_path())
     if (Status status = make_folder(file.parent_path()); !status) return status;
   // The descriptor is write-only: opens the same file again for reading.
-  const int from =
-      ::open(fmt::format("/proc/self/fd/{}", descriptor).c_str(), O_RDONLY | O_CLOEXEC);
-  if (from < 0) return system_error(restoring(), file, errno);
-  const int to = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  Status status = to < 0 ? system_error(restoring(), file, errno) : copy_file(from, to, file, job);
-  ::close(from);
-  if (to >= 0) ::close(to);
-  return status;
+  const Descriptor from(
+      ::open(fmt::format("/proc/self/fd/{}", descriptor).c_str(), O_RDONLY | O_CLOEXEC));
+  if (!from.is_open()) return system_error(restoring(), file, errno);
+  const Descriptor to(::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+  if (!to.is_open()) return system_error(restoring(), file, errno);
+  return copy_file(from.number(), to.number(), file, job);
 }
 
 SteadySync::SteadySync(std::vector<std::filesystem::path> files, std::chrono::milliseconds every)
     : files_(std::move(files)),
       every_(every),
-      descriptors_(files_.size(), -1),
+      descriptors_(files_.size()),
       thread_([this] { run(); }) {}
 
 SteadySync::~SteadySync() {
@@ -88,8 +86,6 @@ SteadySync::~SteadySync() {
   }
   ending_.notify_all();
   thread_.join();
-  for (const int descriptor : descriptors_)
-    if (descriptor >= 0) ::close(descriptor);
 }
 
 void SteadySync::run() {
@@ -103,13 +99,13 @@ void SteadySync::run() {
 
 void SteadySync::sync() {
   for (std::size_t i = 0; i < files_.size(); ++i) {
-    int& descriptor = descriptors_[i];
-    const bool is_new = descriptor < 0;
+    Descriptor& descriptor = descriptors_[i];
+    const bool is_new = !descriptor.is_open();
     // An open descriptor follows its file, wherever it is moved.
-    if (is_new) descriptor = ::open(files_[i].c_str(), O_RDONLY | O_CLOEXEC);
-    if (descriptor < 0) continue;
+    if (is_new) descriptor = Descriptor(::open(files_[i].c_str(), O_RDONLY | O_CLOEXEC));
+    if (!descriptor.is_open()) continue;
     const DiskWait waiting(files_[i]);
-    (void)::fdatasync(descriptor);
+    (void)::fdatasync(descriptor.number());
     if (!is_new) continue;
     const std::filesystem::path folder =
         files_[i].has_parent_path() ? files_[i].parent_path() : std::filesystem::path(".");

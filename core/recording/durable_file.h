@@ -1,6 +1,7 @@
 // Restores files that were removed while they are open.
 #pragma once
 
+#include "core/base/descriptor.h"
 #include "core/base/job.h"
 #include "core/base/result.h"
 
@@ -44,7 +45,7 @@ class SteadySync {
 
   const std::vector<std::filesystem::path> files_;
   const std::chrono::milliseconds every_;
-  std::vector<int> descriptors_;  // of the files; -1: not there yet
+  std::vector<Descriptor> descriptors_;  // of the files; not open: not there yet
   std::mutex mutex_;
   std::condition_variable ending_;
   bool is_ending_ = false;

@@ -77,41 +77,23 @@ Result<JournalWriter> JournalWriter::create(const std::filesystem::path& file,
   JournalWriter journal;
   journal.file_ = file;
   journal.descriptor_ =
-      ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0666);
-  if (journal.descriptor_ < 0) return system_error(writing(), file, errno);
+      Descriptor(::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0666));
+  if (!journal.descriptor_.is_open()) return system_error(writing(), file, errno);
   std::string head(kFormat);
   head.append("# source: ").append(field(source)).append("\n").append(kColumns);
   if (Status status = journal.write(head); !status) return status.error();
   return journal;
 }
 
-JournalWriter::JournalWriter(JournalWriter&& other) noexcept
-    : file_(std::move(other.file_)),
-      descriptor_(std::exchange(other.descriptor_, -1)),
-      frames_(other.frames_),
-      bytes_(other.bytes_) {}
-
-JournalWriter& JournalWriter::operator=(JournalWriter&& other) noexcept {
-  std::swap(file_, other.file_);
-  std::swap(descriptor_, other.descriptor_);
-  std::swap(frames_, other.frames_);
-  std::swap(bytes_, other.bytes_);
-  return *this;
-}
-
-JournalWriter::~JournalWriter() {
-  if (descriptor_ >= 0) ::close(descriptor_);
-}
-
 Status JournalWriter::write(std::string_view text) {
   std::string_view rest = text;
   while (!rest.empty()) {
-    const ssize_t written = ::write(descriptor_, rest.data(), rest.size());
+    const ssize_t written = ::write(descriptor(), rest.data(), rest.size());
     if (written < 0 && errno == EINTR) continue;
     if (written < 0) {
       const Error error = system_error(writing(), file_, errno);
       // Should this fail, a reader ignores the incomplete line.
-      [[maybe_unused]] const int ignored = ::ftruncate(descriptor_, static_cast<off_t>(bytes_));
+      [[maybe_unused]] const int ignored = ::ftruncate(descriptor(), static_cast<off_t>(bytes_));
       return error;
     }
     rest.remove_prefix(static_cast<std::size_t>(written));
@@ -132,7 +114,7 @@ Status JournalWriter::remark(std::string_view sentence) { return write(remark_li
 
 Status JournalWriter::finish() {
   const DiskWait waiting(file_);
-  if (!is_removed(descriptor_) && ::fsync(descriptor_) != 0)
+  if (!is_removed(descriptor()) && ::fsync(descriptor()) != 0)
     return system_error(writing(), file_, errno);
   return {};
 }

@@ -11,6 +11,7 @@
 // the settings of camera and light (see frame.h).
 #pragma once
 
+#include "core/base/descriptor.h"
 #include "core/base/result.h"
 #include "core/image/frame.h"
 
@@ -32,23 +33,20 @@ class JournalWriter {
   /// Creates or overwrites the file. `source`: written at its top.
   [[nodiscard]] static Result<JournalWriter> create(const std::filesystem::path& file,
                                                     std::string_view source);
-  JournalWriter(JournalWriter&& other) noexcept;
-  JournalWriter& operator=(JournalWriter&& other) noexcept;
-  ~JournalWriter();
 
   /// The next frame, numbered from 0.
   [[nodiscard]] Status add(const Frame& frame);
   [[nodiscard]] Status remark(std::string_view sentence);
   /// Waits until everything is on the disk.
   [[nodiscard]] Status finish();
-  [[nodiscard]] int descriptor() const { return descriptor_; }
+  [[nodiscard]] int descriptor() const { return descriptor_.number(); }
 
  private:
   JournalWriter() = default;
   Status write(std::string_view text);
 
   std::filesystem::path file_;
-  int descriptor_ = -1;
+  Descriptor descriptor_;
   std::uint64_t frames_ = 0;
   std::uint64_t bytes_ = 0;  // of complete lines
 };

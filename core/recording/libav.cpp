@@ -1,5 +1,6 @@
 #include "core/recording/libav.h"
 
+#include "core/base/descriptor.h"
 #include "core/base/result.h"
 #include "core/base/slow_disk.h"
 #include "core/recording/durable_file.h"
@@ -162,7 +163,7 @@ bool is_own_recording(const AVFormatContext& input) {
 // Destination of libav's bytes. Its callbacks hold this address.
 struct MatroskaFile::State {
   std::filesystem::path file;
-  int descriptor = -1;
+  Descriptor descriptor;
   int error_number = 0;              // of the first failed write
   std::uint64_t complete_bytes = 0;  // up to the end of the last complete packet
   bool is_open = false;              // the header is written, the end is not
@@ -178,7 +179,6 @@ struct MatroskaFile::State {
       av_freep(&io->buffer);
       avio_context_free(&io);
     }
-    if (descriptor >= 0) ::close(descriptor);
   }
 
   [[nodiscard]] Error error(int number) const {
@@ -195,7 +195,7 @@ struct MatroskaFile::State {
     const DiskWait waiting(self.file);
     for (int done = 0; done < count;) {
       const ssize_t written =
-          ::write(self.descriptor, bytes + done, static_cast<std::size_t>(count - done));
+          ::write(self.descriptor.number(), bytes + done, static_cast<std::size_t>(count - done));
       if (written < 0 && errno == EINTR) continue;
       if (written < 0) return AVERROR(self.error_number = errno);
       done += static_cast<int>(written);
@@ -205,19 +205,19 @@ struct MatroskaFile::State {
   static std::int64_t seek(void* opaque, std::int64_t offset, int whence) {
     auto& self = *static_cast<State*>(opaque);
     if (whence == AVSEEK_SIZE) return AVERROR(ENOSYS);
-    const off_t position = ::lseek(self.descriptor, offset, whence);
+    const off_t position = ::lseek(self.descriptor.number(), offset, whence);
     return position < 0 ? AVERROR(errno) : position;
   }
 };
 
 Status MatroskaFile::State::open(const AVCodecParameters& parameters, double frames_per_s,
                                  const MatroskaTag& tag) {
-  descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
-  if (descriptor < 0) return error(AVERROR(errno));
-  if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0)
+  descriptor = Descriptor(::open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666));
+  if (!descriptor.is_open()) return error(AVERROR(errno));
+  if (::flock(descriptor.number(), LOCK_EX | LOCK_NB) != 0)
     return Error{en::say("it is being recorded or repaired right now"), file.string(),
                  en::say("another name")};
-  if (::ftruncate(descriptor, 0) != 0) return error(AVERROR(errno));
+  if (::ftruncate(descriptor.number(), 0) != 0) return error(AVERROR(errno));
   io = avio_alloc_context(static_cast<std::uint8_t*>(av_malloc(kBufferBytes)), kBufferBytes, 1,
                           this, nullptr, write, seek);
   int status = avformat_alloc_output_context2(&context, nullptr, "matroska", nullptr);
@@ -249,7 +249,8 @@ Status MatroskaFile::State::truncate_file(int number) {
   is_open = false;
   const Error problem = error(number);
   // Should this fail, readers ignore the incomplete packet at the end.
-  [[maybe_unused]] const int ignored = ::ftruncate(descriptor, static_cast<off_t>(complete_bytes));
+  [[maybe_unused]] const int ignored =
+      ::ftruncate(descriptor.number(), static_cast<off_t>(complete_bytes));
   return problem;
 }
 
@@ -257,10 +258,11 @@ Status MatroskaFile::State::finish() {
   if (!is_open) return error(AVERROR(EPIPE));
   if (Status status = flush(av_write_trailer(context)); !status) return status;
   is_open = false;
-  complete_bytes = static_cast<std::uint64_t>(::lseek(descriptor, 0, SEEK_END));
+  complete_bytes = static_cast<std::uint64_t>(::lseek(descriptor.number(), 0, SEEK_END));
   const DiskWait waiting(file);
   // A removed file is about to be copied: a wait for its bytes to reach the disk would be useless.
-  if (!is_removed(descriptor) && ::fsync(descriptor) != 0) return error(AVERROR(errno));
+  if (!is_removed(descriptor.number()) && ::fsync(descriptor.number()) != 0)
+    return error(AVERROR(errno));
   return {};
 }
 
@@ -289,11 +291,11 @@ Status MatroskaFile::write(AVPacket& packet) {
 
 Status MatroskaFile::finish() {
   const Status status = state_->finish();
-  ::flock(state_->descriptor, LOCK_UN);
+  ::flock(state_->descriptor.number(), LOCK_UN);
   return status;
 }
 
 std::uint64_t MatroskaFile::bytes() const { return state_->complete_bytes; }
-int MatroskaFile::descriptor() const { return state_->descriptor; }
+int MatroskaFile::descriptor() const { return state_->descriptor.number(); }
 
 }  // namespace alltact

@@ -1,5 +1,6 @@
 #include "core/recording/recorder.h"
 
+#include "core/base/descriptor.h"
 #include "core/base/guarded.h"
 #include "core/base/result.h"
 #include "core/recording/durable_file.h"
@@ -50,9 +51,9 @@ Error nearly_full(const fs::path& file, std::uint64_t free_bytes, int reserve_mb
 }
 
 /// Creates the file, which must be new: recordings are never overwritten.
-Result<int> make_new(const fs::path& file) {
-  const int number = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  if (number >= 0) return number;
+Result<Descriptor> make_new(const fs::path& file) {
+  Descriptor made(::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+  if (made.is_open()) return made;
   if (errno == EEXIST)
     return Error{en::say("the file exists already"), file.string(),
                  en::say("another name, or remove the old one")};
@@ -296,10 +297,11 @@ Result<std::unique_ptr<Recorder>> Recorder::start(const fs::path& file,
   if (file.extension() != ".mkv")
     return Error{en::say("recordings are Matroska files"), file.string(),
                  en::say("a name that ends in .mkv")};
-  const auto made = make_new(file);
-  if (!made) return made.error();
-  const std::uint64_t free_bytes = free_bytes_at(*made);
-  ::close(*made);
+  std::uint64_t free_bytes = 0;
+  if (const auto made = make_new(file); made)
+    free_bytes = free_bytes_at(made->number());
+  else
+    return made.error();
   Status status;
   if (free_bytes < static_cast<std::uint64_t>(settings.reserve_mb) * kMegabyte)
     status = nearly_full(file, free_bytes, settings.reserve_mb);

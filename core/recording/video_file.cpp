@@ -1,6 +1,7 @@
 #include "core/recording/video_file.h"
 
 #include "core/base/atomic_file.h"
+#include "core/base/descriptor.h"
 #include "core/base/result.h"
 #include "core/image/grey_decoder.h"
 #include "core/recording/journal.h"
@@ -87,7 +88,7 @@ struct VideoFile::State {
   std::vector<std::size_t> shown;  // the entry of each frame
   std::vector<JournalEntry> journal;
 
-  int check = -1;  // the open file, for check sums; -1 for videos of other programs
+  Descriptor check;  // the open file, for check sums; not open for videos of other programs
 
   AvPtr<AVPacket> packet{av_packet_alloc()};
   AvPtr<AVFrame> av_frame{av_frame_alloc()};
@@ -96,12 +97,6 @@ struct VideoFile::State {
   std::size_t next_shown = 0;    // frames before it have left the decoder
   bool is_draining = false;
 
-  State() = default;
-  State(const State&) = delete;
-  State& operator=(const State&) = delete;
-  ~State() {
-    if (check >= 0) ::close(check);
-  }
   [[nodiscard]] bool read(std::size_t entry);
   [[nodiscard]] bool feed();
   void restart(std::size_t entry);
@@ -122,7 +117,8 @@ bool VideoFile::State::read(std::size_t entry) {
                   AVSEEK_FLAG_BACKWARD);
   next_read = entry + 1;
   while (input.read(*packet))
-    if (packet->pos == position) return check < 0 || is_undamaged(check, entries[entry]);
+    if (packet->pos == position)
+      return !check.is_open() || is_undamaged(check.number(), entries[entry]);
   next_read = entries.size();  // unknown position: the next read seeks
   return false;
 }
@@ -227,7 +223,7 @@ Result<VideoFile> VideoFile::open(const fs::path& file, const Job& job) {
   }
   state->input = std::move(*input);
   if (is_own_recording(*state->input.context))
-    state->check = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+    state->check = Descriptor(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
   const auto& entries = state->entries;
   if (entries.empty()) return unreadable(en::say("the video holds no frame"), file);
   state->shown.resize(entries.size());
@@ -470,24 +466,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Locks a file against other recorders and repairs while it lives.
-class Lock {
- public:
-  explicit Lock(const fs::path& file) : number_(::open(file.c_str(), O_RDONLY | O_CLOEXEC)) {
-    is_held_ = number_ >= 0 && ::flock(number_, LOCK_EX | LOCK_NB) == 0;
-  }
-  Lock(const Lock&) = delete;
-  Lock& operator=(const Lock&) = delete;
-  ~Lock() {
-    if (number_ >= 0) ::close(number_);
-  }
-  [[nodiscard]] bool is_held() const { return is_held_; }
-
- private:
-  int number_;
-  bool is_held_;
-};
-
 Status copy_packets(const fs::path& from, const fs::path& to,
                     const std::vector<MatroskaIndex::Block>& blocks, const Job& job) {
   const auto input = open_video_input(from);
@@ -544,8 +522,9 @@ Result<bool> repair_recording(const fs::path& file, const Job& job) {
   const auto input = open_video_input(file);
   if (!input) return input.error();
   if (!input->is_matroska() || !is_own_recording(*input->context)) return false;
-  const Lock lock(file);
-  if (!lock.is_held())
+  // Locks the file against other recorders and repairs while it is open.
+  const Descriptor lock(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
+  if (!lock.is_open() || ::flock(lock.number(), LOCK_EX | LOCK_NB) != 0)
     return Error{en::say("it is being recorded or repaired right now"), file.string(),
                  en::say("wait for its end")};
   // Only under the lock: the writer may have finished the file just before.
@@ -580,26 +559,21 @@ struct Element {
 class File {
  public:
   explicit File(const std::filesystem::path& path)
-      : number_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
+      : descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
     struct stat status {};
-    if (number_ >= 0 && ::fstat(number_, &status) == 0) bytes_ = status.st_size;
+    if (is_open() && ::fstat(descriptor_.number(), &status) == 0) bytes_ = status.st_size;
   }
-  File(const File&) = delete;
-  File& operator=(const File&) = delete;
-  ~File() {
-    if (number_ >= 0) ::close(number_);
-  }
-  [[nodiscard]] bool is_open() const { return number_ >= 0; }
+  [[nodiscard]] bool is_open() const { return descriptor_.is_open(); }
   [[nodiscard]] std::int64_t bytes() const { return bytes_; }
   /// Reads from `at` on, up to the size of `room`.
   [[nodiscard]] std::span<const std::uint8_t> read(std::int64_t at,
                                                    std::span<std::uint8_t> room) const {
-    const ssize_t got = ::pread(number_, room.data(), room.size(), at);
+    const ssize_t got = ::pread(descriptor_.number(), room.data(), room.size(), at);
     return room.first(got > 0 ? static_cast<std::size_t>(got) : 0);
   }
 
  private:
-  int number_;
+  Descriptor descriptor_;
   std::int64_t bytes_ = 0;
 };
 

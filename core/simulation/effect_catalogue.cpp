@@ -39,7 +39,9 @@ Pairs pairs_of(std::string_view flow) {
   return pairs;
 }
 
-Result<std::shared_ptr<const Effect>> make(const EffectKind& kind, const Pairs& pairs) {
+// `keys`: receives the keys that the effect's reader requested.
+Result<std::shared_ptr<const Effect>> make(const EffectKind& kind, const Pairs& pairs,
+                                           std::vector<std::string>* keys = nullptr) {
   std::string text = fmt::format("frames: 100\neffect:\n  use: {}\n", kind.name);
   for (const auto& [key, value] : pairs) text += fmt::format("  {}: {}\n", key, value);
   YamlFile file("example", YamlFile::Unknown::kRefused);
@@ -49,6 +51,7 @@ Result<std::shared_ptr<const Effect>> make(const EffectKind& kind, const Pairs& 
     YamlSection section = top.section("effect");
     (void)section.text("use");
     effect = kind.make(section);
+    if (keys != nullptr) *keys = section.requested_keys();
   });
   if (!read) return read.error();
   return effect;
@@ -75,27 +78,9 @@ std::string between(std::string text, std::string_view before, std::string_view 
   return end == std::string::npos ? text : text.substr(0, end);
 }
 
-// The keys that the kind reads, parsed from its error about an unknown key.
-std::vector<std::string> keys_of(const EffectKind& kind, Pairs pairs) {
-  pairs.emplace_back("0", "0");
-  std::vector<std::string> keys;
-  std::string key;
-  for (const char c : between(refusal(kind, pairs).advice.english(), "one of ", "\n") + ",") {
-    if (c == ',') {
-      if (key != "use") keys.push_back(key);
-      key.clear();
-    } else if (c != ' ') {
-      key += c;
-    }
-  }
-  return keys;
-}
-
-constexpr std::string_view kMustBe = "must be ";
-
 // Extracts the requirement from "must be a number above 0, not 'x'".
 std::string requirement_in(const Error& error) {
-  std::string text = between(error.what.english(), kMustBe, ", not '");
+  std::string text = between(error.what.english(), "must be ", ", not '");
   text = between(text, "holds 'x', which is not ", "\n");
   const std::string_view to = " and up to ";
   const std::size_t at = text.find(to);
@@ -111,24 +96,28 @@ std::string values_of(const EffectKind& kind, Pairs pairs, const std::string& ke
   };
   Error to_word = answer_to("x");
   std::string together;
-  if (to_word.what.english() == "is missing") {  // another required key
+  if (to_word.kind == ErrorKind::kMissingKey) {  // another one
     const std::string where = to_word.where.english();
     const std::string other = where.substr(where.rfind('.') + 1);
     set(pairs, other, "1");
     to_word = answer_to("x");
     together = ", together with " + other;
   }
-  const std::string what = to_word.what.english();
-  if (what.find("is not known here") != std::string::npos) return to_word.advice.english();
-  if (!what.starts_with(kMustBe)) return "a name";
-  if (what.starts_with("must be a block"))
-    return "{from: ..., to: ...}, each " + requirement_in(answer_to("{from: x, to: 1}"));
-  if (what.starts_with("must be a list"))
-    for (const char* value : {"[x, x, x]", "[x, x]"})
-      if (const Error inner = answer_to(value);
-          inner.what.english().find("number") != std::string::npos)
-        return "a list, each " + requirement_in(inner);
-  return requirement_in(to_word) + together;
+  switch (to_word.kind) {
+    case ErrorKind::kUnknownWord:
+      return to_word.advice.english();
+    case ErrorKind::kNoBlock:
+      return "{from: ..., to: ...}, each " + requirement_in(answer_to("{from: x, to: 1}"));
+    case ErrorKind::kNoList:
+      for (const char* value : {"[x, x, x]", "[x, x]"})
+        if (const Error inner = answer_to(value); inner.kind == ErrorKind::kWrongItem)
+          return "a list, each " + requirement_in(inner);
+      [[fallthrough]];
+    case ErrorKind::kWrongValue:
+      return requirement_in(to_word) + together;
+    default:
+      return "a name";
+  }
 }
 
 std::vector<const EffectKind*> kinds_in_running_order() {
@@ -143,10 +132,12 @@ std::vector<const EffectKind*> kinds_in_running_order() {
 
 EffectDescription describe(const EffectKind& kind) {
   const Pairs pairs = pairs_of(kind.example);
-  const auto effect = make(kind, pairs);
+  std::vector<std::string> keys;
+  const auto effect = make(kind, pairs, &keys);
   if (!effect) return {&kind, {}, false, {}};
   EffectDescription description{&kind, kind.sentence, (*effect)->is_repeatable(), {}};
-  for (const std::string& key : keys_of(kind, pairs)) {
+  for (const std::string& key : keys) {
+    if (key == "use") continue;
     const bool in_example = std::any_of(pairs.begin(), pairs.end(),
                                         [&](const auto& pair) { return pair.first == key; });
     description.parameters.push_back({key, values_of(kind, pairs, key), in_example});

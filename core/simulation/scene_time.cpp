@@ -39,7 +39,7 @@ double SceneTime::point(YamlSection& section, const std::string& key) const {
   if (status != std::errc{} || end != number.data() + number.size() ||
       !(value >= 0 && value <= kLatest))
     section.refuse(key, en::say("must be a point in time, not '{}'", printable(text)),
-                   en::say("a frame such as 60, or seconds such as 2 s"));
+                   en::say("a frame such as 60, or seconds such as 2 s"), ErrorKind::kWrongValue);
   return in_seconds ? value * frames_per_s : value;
 }
 

@@ -13,6 +13,9 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <stop_token>
+#include <thread>
+#include <utility>
 #include <vector>
 
 namespace alltact {
@@ -91,19 +94,27 @@ void wait_frame_period(double frames_per_s, const std::function<bool()>& is_stop
 class NewestSource : public Source {
  public:
   explicit NewestSource(std::unique_ptr<Source> source);
-  ~NewestSource() override;
-
   [[nodiscard]] Result<FramePtr> next() override;
-  [[nodiscard]] std::optional<std::size_t> count() const override;
-  [[nodiscard]] bool is_continuous() const override;
+  [[nodiscard]] std::optional<std::size_t> count() const override { return std::nullopt; }
+  [[nodiscard]] bool is_continuous() const override { return source_->is_continuous(); }
   [[nodiscard]] bool is_live() const override { return true; }
-  [[nodiscard]] double frames_per_s() const override;
+  [[nodiscard]] double frames_per_s() const override { return source_->frames_per_s(); }
   /// Frames that a newer one replaced.
   [[nodiscard]] std::uint64_t skipped() const;
 
  private:
-  struct State;
-  std::unique_ptr<State> state_;
+  void run(const std::stop_token& stop);
+  /// True: nothing will follow.
+  bool take(Result<FramePtr> frame);
+
+  std::unique_ptr<Source> source_;
+  mutable std::mutex mutex_;
+  std::condition_variable changed_;
+  std::deque<Error> errors_;
+  FramePtr newest_;
+  std::uint64_t skipped_ = 0;
+  bool is_over_ = false;
+  std::jthread thread_;  // last: it ends first
 };
 
 // One writer, many readers: viewers get the latest frame, recorders get every frame.

@@ -499,10 +499,6 @@ Status check_free(const fs::path& path, const sockaddr_un& address) {
 
 }  // namespace
 
-Descriptor::~Descriptor() {
-  if (number_ >= 0) close(number_);
-}
-
 fs::path default_socket(const std::string& finger_name) {
   std::string name = finger_name + ".sock";
   std::replace(name.begin(), name.end(), '/', '_');

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/atomic_file.h"
+#include "core/base/descriptor.h"
 #include "core/base/result.h"
 #include "core/stream/stream_format.h"
 
@@ -56,23 +57,6 @@ class StreamServer {
 };
 
 // A Unix socket for programs of one user on this computer only.
-
-/// A file descriptor that is closed with its owner.
-class Descriptor {
- public:
-  explicit Descriptor(int number = -1) : number_(number) {}
-  Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
-  Descriptor& operator=(Descriptor&& other) noexcept {
-    std::swap(number_, other.number_);
-    return *this;
-  }
-  ~Descriptor();
-  [[nodiscard]] int number() const { return number_; }
-  [[nodiscard]] bool is_open() const { return number_ >= 0; }
-
- private:
-  int number_;
-};
 
 /// Default socket of a finger: alltact/NAME.sock in $XDG_RUNTIME_DIR, which belongs to the user
 /// alone. Without that variable: in alltact-UID in the folder for temporary files.

@@ -148,7 +148,7 @@ void BM_RealBoardsAsMrcal(benchmark::State& state) {
       continue;
     }
     state.counters["fx_ours"] = ours->fit.lens.fx_px;
-    state.counters["fx_sd_ours"] = ours->focal_sd_px();
+    state.counters["fx_sd_ours"] = ours->focal_sd_part * ours->fit.lens.fx_px;
     state.counters["fx_mrcal"] = other->front();
   }
 }

@@ -61,7 +61,7 @@ Result<Recorded> record(const fs::path& file, VideoCodec codec, test::FakeCamera
   recorded.spent_s =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   recorded.counts = (*recorder)->counts();
-  recorded.lost = source.dropped() + source.camera().status().counts.lost;
+  recorded.lost = source.dropped() + source.camera().status().lost;
   if (!finished) return finished.error();
   return recorded;
 }

@@ -263,9 +263,9 @@ TEST(LiveUse, NothingGrowsAndNoFrameIsLostInSilence) {
   EXPECT_GT(recorded.frames, 100U);
   EXPECT_GT(seen, 10U);
   EXPECT_GT(missed, seen) << "and it says so";
-  EXPECT_GT(status.counts.damaged, 0U);
-  EXPECT_GT(status.counts.lost, 0U);
-  EXPECT_GT(status.counts.unplugged, 0U);
+  EXPECT_GT(status.damaged, 0U);
+  EXPECT_GT(status.lost, 0U);
+  EXPECT_GT(status.unplugged, 0U);
   EXPECT_LE(status.remarks.size(), 20U);
 }
 

@@ -40,10 +40,10 @@ HardAnswer circle_ball(const std::vector<Eigen::Vector3d>& directions, double ra
   std::vector<Eigen::Vector2d> points;
   for (const auto& d : directions) points.emplace_back(kFocal * d.head<2>() / d.z());
   const auto circle = fit_circle(points);
-  if (!circle) return refused("no circle");
+  if (!circle) return refused(HardRefusal::kNoCircle);
   const double z = kFocal * radius / circle->radius;
   const Eigen::Vector2d middle = z / kFocal * circle->centre;
-  return {{middle.x(), middle.y(), z}, ""};
+  return {{middle.x(), middle.y(), z}};
 }
 
 /// Gauss-Newton on the distance of the centre from each ray, minus the radius, in millimetres.
@@ -66,8 +66,8 @@ double millimetre_z(const std::vector<Eigen::Vector3d>& directions, double radiu
 
 HardAnswer ball_of(const std::vector<Eigen::Vector3d>& directions, double radius) {
   const auto found = fit_ball_to_outline(directions, radius);
-  if (!found) return refused("no ball");
-  return {{found->x(), found->y(), found->z()}, ""};
+  if (!found) return refused();
+  return {{found->x(), found->y(), found->z()}};
 }
 
 HardRow exact_outline() {
@@ -144,7 +144,7 @@ std::vector<Eigen::Vector2d> arc(const Eigen::Vector2d& centre, double radius, d
 }
 
 HardAnswer radius_of(const std::optional<Circle>& circle) {
-  return circle ? number(circle->radius) : refused("no circle");
+  return circle ? number(circle->radius) : refused(HardRefusal::kNoCircle);
 }
 
 HardRow short_arc() {
@@ -185,7 +185,8 @@ HardRow straight_line() {
                        kRadius * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
     }
     for (const auto fit : {fit_circle, fit_circle_taubin}) {
-      row.ask(expected_refusal({"no circle"}), number(kasa_radius(line)), radius_of(fit(line)));
+      row.ask(expected_refusal(HardRefusal::kNoCircle), number(kasa_radius(line)),
+              radius_of(fit(line)));
       row.ask(expected(kRadius, 1e-6 * kRadius), number(kasa_radius(arc)), radius_of(fit(arc)));
     }
   }
@@ -261,9 +262,9 @@ class ShapeAnswers {
  public:
   explicit ShapeAnswers(const Result<FaceShape>& shape) : shape_(shape) {}
   [[nodiscard]] HardAnswer z_mm(std::size_t column) const {
-    if (!shape_) return refused(shape_.error().what.english());
+    if (!shape_) return refused(shape_.error());
     const FaceColumn& one = shape_->columns()[column];
-    return one.valid ? number(one.z_mm) : refused("not valid");
+    return one.valid ? number(one.z_mm) : refused(HardRefusal::kNoDistance);
   }
 
  private:
@@ -381,8 +382,7 @@ HardRow meeting_edges() {
         edges_of([](double) { return kZ; }, width_mm, kNoise, [&] { return noise(random); });
     const auto shape = FaceShape::fit(edges, seen.camera, seen.face, kDegree, 2.0);
     for (std::size_t i = 0; i < edges.u.size(); ++i)
-      row.ask(width_px < 8 ? expected_refusal({"not valid", "uncertain in every column"})
-                           : expected(kZ, 0.05 * kZ),
+      row.ask(width_px < 8 ? expected_refusal(HardRefusal::kNoDistance) : expected(kZ, 0.05 * kZ),
               number(kFaceFocal * width_mm / (edges.lower.v[i] - edges.upper.v[i])),
               ShapeAnswers(shape).z_mm(i));
   }
@@ -412,11 +412,11 @@ HardRow blurred_edges(double contrast, double blur_px, double grey_noise, double
   for (double u = 3.5; u < grey.cols; u += 8)
     for (const bool is_upper : {true, false}) {
       const auto answer_of = [&](const Result<FaceEdges>& edges) {
-        if (!edges) return refused(edges.error().what.english());
+        if (!edges) return refused(edges.error());
         const auto found_u = std::find(edges->u.begin(), edges->u.end(), u);
         const auto i = static_cast<std::size_t>(found_u - edges->u.begin());
         const Edge& edge = is_upper ? edges->upper : edges->lower;
-        if (found_u == edges->u.end() || !edge.valid[i]) return refused("not valid");
+        if (found_u == edges->u.end() || !edge.valid[i]) return refused(HardRefusal::kNoDistance);
         return number(edge.v[i]);
       };
       row.ask(expected(is_upper ? upper(u) : lower(u), 1), answer_of(naive), answer_of(found));

@@ -76,12 +76,9 @@ double figure_of(HardMeasure measure, const std::vector<double>& worth) {
   return kInfinite;
 }
 
-/// A refusal where one is due, with its reason.
-bool is_named(const HardQuestion& question, const HardAnswer& answer) {
-  return answer.values.empty() &&
-         std::any_of(question.reasons.begin(), question.reasons.end(), [&](const auto& reason) {
-           return answer.refusal.find(reason) != std::string::npos;
-         });
+bool is_due(const HardQuestion& question, const HardAnswer& answer) {
+  return answer.values.empty() && question.due != HardRefusal::kOther &&
+         answer.refusal == question.due;
 }
 
 }  // namespace
@@ -99,7 +96,7 @@ HardScore score(const HardRow& row, const std::vector<HardAnswer>& answers) {
   for (std::size_t i = 0; i < answers.size(); ++i) {
     const HardQuestion& question = row.questions[i];
     if (question.truth.empty()) {
-      wrong += !is_named(question, answers[i]);
+      wrong += !is_due(question, answers[i]);
       continue;
     }
     ++with_number;
@@ -127,6 +124,19 @@ HardScore score(const HardRow& row, const std::vector<HardAnswer>& answers) {
 HardCase judged(const HardRow& row, const std::vector<HardAnswer>& own) {
   return {row.what,        row.naive, row.unit,        score(row, row.naive_answers),
           score(row, own), row.bound, row.min_answered};
+}
+
+HardAnswer refused(const Error& error) {
+  switch (error.kind) {
+    case ErrorKind::kFoldedLens:
+      return refused(HardRefusal::kFoldedLens);
+    case ErrorKind::kUncertainFace:
+      return refused(HardRefusal::kNoDistance);
+    case ErrorKind::kUndeterminedLens:
+      return refused(HardRefusal::kUnprovenLens);
+    default:
+      return refused();
+  }
 }
 
 FaceShape flat_sensor(const cv::Size& size, double mm_per_px) {

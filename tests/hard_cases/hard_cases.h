@@ -4,9 +4,9 @@
 //
 // A row is a list of questions to both methods. The same rule measures both answers against the
 // same truth: arithmetic in 50 digits, or the data's generator, never this program's own result. An
-// answer is numbers, or a refusal in words. Where numbers exist a refusal costs coverage; where
-// none exist, the refusal must state the reason. Neither constant refusal nor constant acceptance
-// passes a row.
+// answer is numbers, or a refusal with its kind. Where numbers exist a refusal costs coverage;
+// where none exist, the refusal must be of the due kind. Neither constant refusal nor constant
+// acceptance passes a row.
 #pragma once
 
 #include "core/base/result.h"
@@ -17,16 +17,30 @@
 
 namespace alltact {
 
+/// Why there is no number.
+enum class HardRefusal {
+  kOther = 0,  ///< due nowhere
+  kTooDark,
+  kSaturated,
+  kNoContact,
+  kNoAngle,     ///< a contact without a long axis
+  kNoHit,       ///< a ray misses the ball
+  kNoCircle,    ///< points on a line
+  kNoDistance,  ///< of a face in a column
+  kFoldedLens,
+  kUnprovenLens,  ///< undetermined by the views, or not good enough to measure with
+};
+
 /// Answer of a formula to one question: numbers, or the reason why there are none.
 struct HardAnswer {
   std::vector<double> values;  ///< empty: refused
-  std::string refusal;
+  HardRefusal refusal = HardRefusal::kOther;
 };
 
 struct HardQuestion {
   std::vector<double> truth;  ///< empty: there is no number; the answer must be a refusal ...
-  std::vector<std::string> reasons;  ///< ... that contains one of these
-  double scale = 1;                  ///< > 0; unit of the errors: |truth| for relative ones
+  HardRefusal due = HardRefusal::kOther;  ///< ... of this kind
+  double scale = 1;                       ///< > 0; unit of the errors: |truth| for relative ones
 };
 
 /// Aggregation of the errors |values - truth| / scale of all answers into one figure. It is
@@ -104,11 +118,12 @@ struct HardCase {
 /// A rigid flat sensor under a telecentric lens; the face fills the image.
 [[nodiscard]] FaceShape flat_sensor(const cv::Size& size, double mm_per_px);
 
-[[nodiscard]] inline HardAnswer number(double value) { return {{value}, ""}; }
-[[nodiscard]] inline HardAnswer refused(std::string why) { return {{}, std::move(why)}; }
+[[nodiscard]] inline HardAnswer number(double value) { return {{value}}; }
+[[nodiscard]] inline HardAnswer refused(HardRefusal why = HardRefusal::kOther) { return {{}, why}; }
+[[nodiscard]] HardAnswer refused(const Error& error);
 /// Answer of a step that gives no reasons: a number, or `why` where there is none.
-[[nodiscard]] inline HardAnswer number_or(const std::optional<double>& value, std::string why) {
-  return value ? number(*value) : refused(std::move(why));
+[[nodiscard]] inline HardAnswer number_or(const std::optional<double>& value, HardRefusal why) {
+  return value ? number(*value) : refused(why);
 }
 
 /// A question with a number for an answer; `scale` is the unit of errors.
@@ -119,9 +134,7 @@ struct HardCase {
 [[nodiscard]] inline HardQuestion expected(double truth) {
   return expected(truth, std::abs(truth));
 }
-/// A question without an answer; the refusal must contain one of `reasons`.
-[[nodiscard]] inline HardQuestion expected_refusal(std::vector<std::string> reasons) {
-  return {{}, std::move(reasons), 1};
-}
+/// A question without an answer; the refusal must be of the kind `due`.
+[[nodiscard]] inline HardQuestion expected_refusal(HardRefusal due) { return {{}, due, 1}; }
 
 }  // namespace alltact

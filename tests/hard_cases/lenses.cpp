@@ -59,12 +59,12 @@ HardRow undistorting(const std::vector<double>& distortion, const char* what) {
         continue;
       const auto ray = camera ? camera->unproject(pixel) : std::nullopt;
       const Eigen::Vector2d naive = fixed_point(distortion, seen);
-      HardAnswer own = refused("beyond the valid radius");
+      HardAnswer own = refused();
       if (ray) {
         const Eigen::Vector2d found = ray->direction.head<2>() / ray->direction.z();
-        own = {{found.x(), found.y()}, ""};
+        own = {{found.x(), found.y()}};
       }
-      row.ask({{truth.x(), truth.y()}, {}, 1 / p.fx_px}, {{naive.x(), naive.y()}, ""}, own);
+      row.ask({{truth.x(), truth.y()}, {}, 1 / p.fx_px}, {{naive.x(), naive.y()}}, own);
     }
   return row;
 }
@@ -88,11 +88,11 @@ HardRow fold() {
     const Eigen::Vector2d seen = brown(k, x);
     const std::vector<double> pixel{959.5 + kFocal * seen.x(), 539.5 + kFocal * seen.y()};
     const auto camera = Camera::create(full_hd(k, kFocal));
-    HardAnswer own = refused(camera ? "not seen" : camera.error().what.english());
+    HardAnswer own = camera ? refused() : refused(camera.error());
     if (const auto found = camera ? camera->project({x.x(), x.y(), 1.0}) : std::nullopt)
-      own = {{found->x(), found->y()}, ""};
-    row.ask(folds ? expected_refusal({"folds over"}) : HardQuestion{pixel, {}, 1e-9}, {pixel, ""},
-            own);
+      own = {{found->x(), found->y()}};
+    row.ask(folds ? expected_refusal(HardRefusal::kFoldedLens) : HardQuestion{pixel, {}, 1e-9},
+            {pixel}, own);
   }
   return row;
 }
@@ -158,16 +158,16 @@ HardRow few_boards() {
     LensFit start;
     start.lens = seen.lens;
     start.poses = seen.poses;
-    const auto fit = fit_lens(seen.views, start, {}, Job{});
+    const auto fit = fit_lens(seen.views, start, kAllCoefficients, Job{});
     // An infinite uncertainty makes no false statement.
     const HardQuestion question = expected(seen.lens.fx_px);
     if (!fit) {
-      row.ask(question, refused(fit.error().what.english()), refused(fit.error().what.english()));
+      row.ask(question, refused(fit.error()), refused(fit.error()));
       continue;
     }
     const double focal_px = fit->lens.fx_px;
-    row.ask(question, {{focal_px, fit->sigma_px / 320 * seen.lens.fx_px}, ""},
-            {{focal_px, fit->sd(0)}, ""});
+    row.ask(question, {{focal_px, fit->sigma_px / 320 * seen.lens.fx_px}},
+            {{focal_px, fit->sd(0)}});
   }
   return row;
 }
@@ -188,20 +188,17 @@ HardRow frontal_boards() {
     settings.distance_mm = 60;
     const auto found =
         calibrate_lens(seen.views, {seen.lens.width_px, seen.lens.height_px}, settings, Job{});
-    const HardQuestion question =
-        is_straight ? expected_refusal({"unfit", "unproven", "undetermined", "explain"})
-                    : expected(settings.distance_mm, 5 * 0.08);
+    const HardQuestion question = is_straight ? expected_refusal(HardRefusal::kUnprovenLens)
+                                              : expected(settings.distance_mm, 5 * 0.08);
     if (!found) {
-      row.ask(question, refused(found.error().what.english()),
-              refused(found.error().what.english()));
+      row.ask(question, refused(found.error()), refused(found.error()));
       continue;
     }
     const HardAnswer value = number(settings.distance_mm * found->fit.lens.fx_px / seen.lens.fx_px);
     const Grade grade = found->verdict.grade;
-    row.ask(question, found->fit.sigma_px < 0.3 ? value : refused("residual"),
-            grade == Grade::kGood || grade == Grade::kUsable
-                ? value
-                : refused(found->verdict.sentence.english()));
+    row.ask(question, found->fit.sigma_px < 0.3 ? value : refused(),
+            grade == Grade::kGood || grade == Grade::kUsable ? value
+                                                             : refused(HardRefusal::kUnprovenLens));
   }
   return row;
 }

@@ -42,7 +42,7 @@ HardRow angular_radius(double low, double high, const char* what) {
 
 HardAnswer near_of(const Ray& ray, const Eigen::Vector3d& c, double radius) {
   const auto hit = intersect_ball(ray, c, radius);
-  return hit ? number(hit->near) : refused("misses the ball");
+  return hit ? number(hit->near) : refused(HardRefusal::kNoHit);
 }
 
 /// The textbook's near root; NaN where it finds none.
@@ -85,8 +85,8 @@ HardRow rim_decision() {
     if (std::abs(outside) < 4 * kEps * 43.0) continue;
     const double naive = naive_near(ray, c, kRadius);
     row.ask(outside < 0 ? expected(exact::near_root(ray.direction, c, kRadius), kNanometre)
-                        : expected_refusal({"misses"}),
-            std::isfinite(naive) ? number(naive) : refused("misses the ball"),
+                        : expected_refusal(HardRefusal::kNoHit),
+            std::isfinite(naive) ? number(naive) : refused(HardRefusal::kNoHit),
             near_of(ray, c, kRadius));
   }
   return row;
@@ -213,7 +213,7 @@ HardRow beyond_the_domain() {
     if (truth < -kLayer) continue;
     if (truth > kLayer) break;
     row.ask(expected(truth, 1), number(polynomial),
-            mapping ? number(mapping->depth_mm(x)) : refused(mapping.error().what.english()));
+            mapping ? number(mapping->depth_mm(x)) : refused(mapping.error()));
   }
   return row;
 }

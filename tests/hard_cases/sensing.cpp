@@ -20,11 +20,11 @@ HardAnswer answer_at(const Difference& difference, int v, int u) {
     case kMeasured:
       return number(static_cast<double>(difference.x.at<float>(v, u)));
     case kTooDark:
-      return refused("too dark");
+      return refused(HardRefusal::kTooDark);
     case kSaturated:
-      return refused("saturated");
+      return refused(HardRefusal::kSaturated);
     default:
-      return refused("off the face");
+      return refused();
   }
 }
 
@@ -49,9 +49,9 @@ HardRow grey_pairs() {
       if (k >= kTooDarkBelow && k < kDark) continue;
       const double truth = static_cast<double>(k - i) / std::max(k, 1);
       const auto wrapped = static_cast<std::uint8_t>(k - i);
-      row.ask(k < kTooDarkBelow ? expected_refusal({"too dark"})
+      row.ask(k < kTooDarkBelow ? expected_refusal(HardRefusal::kTooDark)
               : k >= kClippedFrom || i >= kClippedFrom
-                  ? expected_refusal({"saturated"})
+                  ? expected_refusal(HardRefusal::kSaturated)
                   : expected(truth, 1e-6 * (1.0 + std::abs(truth))),
               number(static_cast<double>(wrapped) / k), answer_at(own, i, k));
     }
@@ -85,7 +85,7 @@ HardRow dark_reference() {
     const cv::Mat measured = own.flags == kMeasured;
     const bool enough = cv::countNonZero(measured) > 0.99 * kSide * kSide;
     row.ask(expected(kTruth, 1), number(naive),
-            enough ? number(cv::mean(own.x, measured)[0]) : refused("too dark"));
+            enough ? number(cv::mean(own.x, measured)[0]) : refused(HardRefusal::kTooDark));
   }
   return row;
 }
@@ -133,8 +133,8 @@ namespace {
 
 /// Answer on the angle of the only region.
 HardAnswer angle_of(const std::vector<ContactRegion>& regions) {
-  if (regions.size() != 1) return refused("not one region");
-  return number_or(regions[0].angle_deg, "no angle");
+  if (regions.size() != 1) return refused();
+  return number_or(regions[0].angle_deg, HardRefusal::kNoAngle);
 }
 
 DepthMap untouched_map(const cv::Size& size) {
@@ -193,7 +193,7 @@ HardRow wide_contact() {
   for (int i = 0; i < kSide * kSide; ++i) sum += kDepth * area;
   row.ask(expected(static_cast<double>(kDepth) * std::pow(kSide * kMmPerPx, 2)),
           number(static_cast<double>(sum)),
-          regions.size() == 1 ? number(regions[0].volume_mm3) : refused("not one region"));
+          regions.size() == 1 ? number(regions[0].volume_mm3) : refused());
   return row;
 }
 
@@ -230,7 +230,8 @@ HardRow round_contact() {
     const Eigen::Matrix2d spread = second / sum - first / sum * (first / sum).transpose();
     const double naive = 0.5 * std::atan2(2 * spread(0, 1), spread(0, 0) - spread(1, 1));
     row.ask(
-        is_round ? expected_refusal({"no angle"}) : expected(angle, 5), number(naive * 180 / M_PI),
+        is_round ? expected_refusal(HardRefusal::kNoAngle) : expected(angle, 5),
+        number(naive * 180 / M_PI),
         angle_of(contact_regions(map, shape, shape.face(), {.noise_mm = kNoise, .untouched = {}})));
   }
   return row;
@@ -259,7 +260,7 @@ HardRow marker_spread() {
   const float n = kFrames;
   const auto variance = static_cast<double>((squares - sum * sum / n) / (n - 1));
   row.ask(expected(std::sqrt(truth)), number(std::sqrt(8 * variance)),
-          model ? number(model->mode_sd_px()[0]) : refused(model.error().what.english()));
+          model ? number(model->mode_sd_px()[0]) : refused(model.error()));
   return row;
 }
 
@@ -282,13 +283,13 @@ HardRow no_direction() {
       offset += push;
     }
     const Push found = push_of(markers, settings, true);
-    const HardAnswer own = found.direction
-                               ? HardAnswer{{found.direction->x(), found.direction->y()}, ""}
-                               : refused(found.pushed ? "no direction" : "not touched");
+    const HardAnswer own =
+        found.direction ? HardAnswer{{found.direction->x(), found.direction->y()}}
+                        : refused(found.pushed ? HardRefusal::kOther : HardRefusal::kNoContact);
     const Eigen::Vector2d naive = offset / offset.norm();
-    row.ask(step == 24 ? expected_refusal({"not touched"})
+    row.ask(step == 24 ? expected_refusal(HardRefusal::kNoContact)
                        : HardQuestion{{push.x(), push.y()}, {}, 1e-9},
-            {{naive.x(), naive.y()}, ""}, own);
+            {{naive.x(), naive.y()}}, own);
   }
   return row;
 }
@@ -321,11 +322,11 @@ Dot dot_of(const Eigen::VectorXd& coordinates, int m, const std::function<double
 HardAnswer modelled(const MarkerModel& model, const std::vector<Dot>& dots,
                     const std::vector<int>& of) {
   const auto markers = model.number(dots);
-  if (!markers) return refused("fit no pose");
+  if (!markers) return refused();
   HardAnswer answer;
   for (const int m : of) {
     const Marker& marker = (*markers)[static_cast<std::size_t>(m)];
-    if (!marker.seen) return refused("a dot was not used");
+    if (!marker.seen) return refused();
     answer.values.insert(answer.values.end(), {marker.u, marker.v});
   }
   return answer;
@@ -376,7 +377,7 @@ HardRow hidden_markers() {
       question.truth.insert(question.truth.end(), {truth[2 * m], truth[2 * m + 1]});
     }
     row.ask(question, sorted(dots, order),
-            model ? modelled(*model, dots, order) : refused(model.error().what.english()));
+            model ? modelled(*model, dots, order) : refused(model.error()));
   }
   return row;
 }

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
-#include <map>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -41,18 +40,6 @@ struct Fault {
   std::function<HardAnswer(const HardRow&, std::size_t question)> answer;
 };
 
-const std::string& all_reasons(const HardRow& row) {
-  static std::map<const HardRow*, std::string> known;
-  const auto [place, is_new] = known.try_emplace(&row);
-  if (is_new) {
-    std::set<std::string> reasons;
-    for (const HardQuestion& question : row.questions)
-      reasons.insert(question.reasons.begin(), question.reasons.end());
-    for (const std::string& reason : reasons) place->second += reason + ", ";
-  }
-  return place->second;
-}
-
 HardAnswer filled(const HardRow& row, std::size_t question, double value) {
   HardAnswer answer = row.own_answers[question];
   const std::size_t count = answer.values.empty() ? 1 : answer.values.size();
@@ -62,10 +49,13 @@ HardAnswer filled(const HardRow& row, std::size_t question, double value) {
 
 const std::vector<Fault>& faults() {
   static const std::vector<Fault> all{
-      {"refused without a word", [](const HardRow&, std::size_t) { return HardAnswer{}; }},
-      {"refused with every reason there is",
-       [](const HardRow& row, std::size_t) {
-         return HardAnswer{{}, all_reasons(row)};
+      {"refused without a reason", [](const HardRow&, std::size_t) { return HardAnswer{}; }},
+      {"refused with the reason that is due elsewhere",
+       [](const HardRow& row, std::size_t i) {
+         HardRefusal due = row.questions[i].due;
+         for (const HardQuestion& question : row.questions)
+           if (due == HardRefusal::kOther) due = question.due;
+         return HardAnswer{{}, due};
        }},
       {"no number", [](const HardRow& row, std::size_t i) { return filled(row, i, NAN); }},
       {"infinite", [](const HardRow& row, std::size_t i) { return filled(row, i, INFINITY); }},
@@ -111,7 +101,7 @@ TEST(HardCases, HalfOfTheAnswersAreNotEnough) {
 
 HardRow small_row(HardMeasure measure) {
   HardRow row{"", "", "", 0.5, measure};
-  for (const double truth : {1.0, 2.0, 3.0, 4.0}) row.ask({{truth}, {}, 1.0}, {}, {{truth}, ""});
+  for (const double truth : {1.0, 2.0, 3.0, 4.0}) row.ask({{truth}, {}, 1.0}, {}, {{truth}});
   return row;
 }
 
@@ -119,7 +109,7 @@ TEST(HardCases, MeasuresAreWhatTheySay) {
   const auto error = [](HardMeasure measure, std::vector<double> values) {
     const HardRow row = small_row(measure);
     std::vector<HardAnswer> answers;
-    for (const double value : values) answers.push_back({{value}, ""});
+    for (const double value : values) answers.push_back({{value}});
     return score(row, answers).error;
   };
   const std::vector<double> off{1.5, 2.5, 2.0, 4.0};  // errors 0.5, 0.5, -1, 0
@@ -138,7 +128,7 @@ TEST(HardCases, APromiseIsWrongInBothWays) {
     const HardRow row = small_row(HardMeasure::kSdAccuracy);
     std::vector<HardAnswer> answers;
     for (const HardQuestion& question : row.questions)
-      answers.push_back({{question.truth[0] + 1, sd}, ""});
+      answers.push_back({{question.truth[0] + 1, sd}});
     return score(row, answers).error;
   };
   EXPECT_DOUBLE_EQ(error(1), 0);
@@ -148,15 +138,17 @@ TEST(HardCases, APromiseIsWrongInBothWays) {
 }
 
 TEST(HardCases, ARefusalNeedsItsReason) {
+  const HardAnswer one{{1.0}}, folded{{}, HardRefusal::kFoldedLens};
   HardRow row{"", "", "", 0};
-  row.ask({{1.0}, {}, 1}, {}, {{1.0}, ""});
-  row.ask({{}, {"folds over"}, 1}, {}, {{}, "the lens folds over there"});
+  row.ask(expected(1.0), {}, one);
+  row.ask(expected_refusal(HardRefusal::kFoldedLens), {}, folded);
   EXPECT_TRUE(judged(row, row.own_answers).holds());
-  EXPECT_FALSE(judged(row, {{{1.0}, ""}, {{}, "no"}}).holds());
-  EXPECT_FALSE(judged(row, {{{1.0}, ""}, {{1.0}, "folds over"}}).holds());
+  EXPECT_FALSE(judged(row, {one, HardAnswer{}}).holds());
+  EXPECT_FALSE(judged(row, {one, HardAnswer{{}, HardRefusal::kTooDark}}).holds());
+  EXPECT_FALSE(judged(row, {one, HardAnswer{{1.0}, HardRefusal::kFoldedLens}}).holds());
   // Nothing that has a number: nothing is shown.
   HardRow only{"", "", "", 0};
-  only.ask({{}, {"folds over"}, 1}, {}, {{}, "folds over"});
+  only.ask(expected_refusal(HardRefusal::kFoldedLens), {}, folded);
   EXPECT_FALSE(judged(only, only.own_answers).holds());
 }
 

@@ -58,7 +58,7 @@ void turned_in_3d(benchmark::State& state) {
   if (!VtkView::is_supported()) return state.SkipWithError("needs a screen with OpenGL: xvfb-run");
   InspectPane pane(PaneContent::kFirst);
   show(pane);
-  pane.show_frame(made_frame(state.range(0), 0.8));
+  pane.show_frames({made_frame(state.range(0), 0.8)});
   FacePane& face = *pane.face_pane();
   const auto turn = [&] {
     const int before = face.renders();
@@ -92,7 +92,7 @@ void pointed_at_in_3d(benchmark::State& state) {
   if (!VtkView::is_supported()) return state.SkipWithError("needs a screen with OpenGL: xvfb-run");
   InspectPane pane(PaneContent::kFirst);
   show(pane);
-  pane.show_frame(made_frame(state.range(0), 0.8));
+  pane.show_frames({made_frame(state.range(0), 0.8)});
   const FaceScene& scene = pane.face_pane()->scene();
   double x = 300;
   for ([[maybe_unused]] const auto _ : state) {
@@ -111,7 +111,7 @@ void shown_in_3d(benchmark::State& state) {
   for (int i = 0; i < 10; ++i) frames.push_back(made_frame(state.range(0), 0.1 * i));
   std::size_t next = 0;
   const auto show_next = [&] {
-    pane.show_frame(frames[next++ % frames.size()]);
+    pane.show_frames({frames[next++ % frames.size()]});
     const int before = pane.face_pane() == nullptr ? 0 : pane.face_pane()->renders();
     while (pane.face_pane()->renders() == before) QCoreApplication::processEvents();
   };

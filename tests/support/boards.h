@@ -58,7 +58,8 @@ BoardPose random_pose(const Board& board, double tilt_deg, double distance, Rand
   const Eigen::AngleAxisd roll(0.3 * unit(random), Eigen::Vector3d::UnitZ());
   const Eigen::AngleAxisd lean(tilt, Eigen::Vector3d(std::cos(way), std::sin(way), 0));
   const Eigen::AngleAxisd turn(Eigen::Matrix3d(lean.toRotationMatrix() * roll.toRotationMatrix()));
-  const double z = board.diagonal_mm() * distance * (1 + 0.15 * unit(random));
+  const double diagonal_mm = board.square_mm * std::hypot(board.columns - 1, board.rows - 1);
+  const double z = diagonal_mm * distance * (1 + 0.15 * unit(random));
   const Eigen::Vector3d middle(0.5 * board.square_mm * (board.columns - 1),
                                0.5 * board.square_mm * (board.rows - 1), 0);
   BoardPose pose;

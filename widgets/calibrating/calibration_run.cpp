@@ -118,10 +118,7 @@ void CalibrationRun::reload() {
   if (folder != loaded_folder_) {
     report_.stop();
     recalling_.stop();
-    result_.reset();
-    inputs_.reset();
-    finger_.reset();
-    worth_.reset();
+    now_ = {};
     problem_.reset();
     recall_problem_.reset();
     lacks_residuals_ = false;
@@ -143,8 +140,8 @@ void CalibrationRun::reload() {
       recalled = std::make_shared<const FingerCalibration>(std::move(*stored));
     return std::function<void()>([this, folder, inputs, opened, worth, has_report, recalled] {
       if (folder != collection_.folder()) return reload();
-      if (*inputs) inputs_ = **inputs;
-      if (opened) finger_ = opened, worth_ = worth;
+      if (*inputs) now_.inputs = **inputs;
+      if (opened) now_.finger = opened, now_.worth = worth;
       if (recalled) adopt_recalled(recalled);
       if (!is_writing_report()) has_report_ = has_report;
       Q_EMIT changed();
@@ -153,8 +150,8 @@ void CalibrationRun::reload() {
 }
 
 void CalibrationRun::adopt_recalled(const std::shared_ptr<const FingerCalibration>& recalled) {
-  if (result_ && result_->inputs.to_yaml() == recalled->inputs.to_yaml()) return;
-  result_ = recalled;
+  if (now_.result && now_.result->inputs.to_yaml() == recalled->inputs.to_yaml()) return;
+  now_.result = recalled;
   lacks_residuals_ = true;
   recall_residuals_once();
 }
@@ -165,15 +162,15 @@ void CalibrationRun::recall_residuals_once() {
     return;
   lacks_residuals_ = false;
   recall_problem_.reset();
-  recalling_.start([this, folder = collection_.folder(), bare = result_,
+  recalling_.start([this, folder = collection_.folder(), bare = now_.result,
                     disk = collection_.disk()](const Job& job) {
     disk->wait();
     auto complete =
         std::make_shared<Result<FingerCalibration>>(recall_residuals(folder, *bare, job));
     return std::function<void()>([this, bare, complete] {
-      if (result_ != bare) return;  // calibrated again, or of another finger
+      if (now_.result != bare) return;  // calibrated again, or of another finger
       if (*complete)
-        result_ = std::make_shared<const FingerCalibration>(std::move(**complete));
+        now_.result = std::make_shared<const FingerCalibration>(std::move(**complete));
       else
         recall_problem_ = complete->error();
       Q_EMIT changed();
@@ -182,16 +179,16 @@ void CalibrationRun::recall_residuals_once() {
 }
 
 CalibrationState CalibrationRun::state() const {
-  if (!finger_ || !finger_->mapping || !inputs_) return CalibrationState::kNone;
-  if (worth_ && worth_->must_repeat) return CalibrationState::kStale;
+  if (!now_.finger || !now_.finger->mapping || !now_.inputs) return CalibrationState::kNone;
+  if (now_.worth && now_.worth->must_repeat) return CalibrationState::kStale;
   if (!collection_.is_ready()) return CalibrationState::kCurrent;  // nothing could be changed yet
   const auto& presses = collection_.presses();
-  const bool same_presses =
-      std::equal(presses.begin(), presses.end(), inputs_->presses.begin(), inputs_->presses.end(),
-                 [](const CollectedPress& press, const StoredPress& stored) {
-                   return press.name == stored.name;
-                 });
-  return same_presses && input_for(collection_.press_set()).press_set == inputs_->press_set
+  const bool same_presses = std::equal(presses.begin(), presses.end(), now_.inputs->presses.begin(),
+                                       now_.inputs->presses.end(),
+                                       [](const CollectedPress& press, const StoredPress& stored) {
+                                         return press.name == stored.name;
+                                       });
+  return same_presses && input_for(collection_.press_set()).press_set == now_.inputs->press_set
              ? CalibrationState::kCurrent
              : CalibrationState::kStale;
 }
@@ -200,9 +197,9 @@ FingerCalibrationInput CalibrationRun::input_for(const PressSet& press_set) cons
   FingerCalibrationInput input;
   input.folder = collection_.folder();
   input.presses.files = {collection_.folder() / kPressFolder};
-  if (inputs_) {  // settings of this finger's last calibration
-    input.calibration = inputs_->calibration;
-    input.pipeline = inputs_->pipeline;
+  if (now_.inputs) {  // settings of this finger's last calibration
+    input.calibration = now_.inputs->calibration;
+    input.pipeline = now_.inputs->pipeline;
   }
   std::set<std::string> presses;
   for (const CollectedPress& press : collection_.presses()) presses.insert(press.name);
@@ -214,8 +211,8 @@ FingerCalibrationInput CalibrationRun::input_for(const PressSet& press_set) cons
 QString CalibrationRun::command_line() const {
   FingerCalibrationInput input = input_for(collection_.press_set());
   if (state() == CalibrationState::kCurrent) {
-    input = input_for(inputs_->press_set);
-    input.date = inputs_->date;
+    input = input_for(now_.inputs->press_set);
+    input.date = now_.inputs->date;
   }
   return QString::fromStdString(calibrate_command(input));
 }
@@ -230,14 +227,11 @@ CalibrationInputs CalibrationRun::next_inputs() const {
 }
 
 void CalibrationRun::take(const Outcome& made) {
-  result_ = made.result;
-  inputs_ = made.inputs;
-  finger_ = made.finger;
-  worth_ = made.worth;
+  now_ = made;
   problem_.reset();
   recall_problem_.reset();
   // The restored calibration may lack residuals.
-  lacks_residuals_ = result_ && result_->residuals.empty() && result_->presses.empty();
+  lacks_residuals_ = now_.result && now_.result->residuals.empty() && now_.result->presses.empty();
 }
 
 void CalibrationRun::start() {
@@ -258,21 +252,20 @@ void CalibrationRun::start() {
   };
   struct Done {
     Files files;
-    Outcome before;
-    FingerPtr finger;
-    std::optional<FingerWorth> worth;
+    Outcome before, after;
     std::optional<Result<FingerCalibration>> result;
   };
   auto done = std::make_shared<Done>();
-  done->before = {result_, inputs_, nullptr, worth_};
+  done->before = now_;
+  done->before.finger.reset();
   work_.start([this, input, done, disk = collection_.disk()](const Job& job) {
     disk->wait();
     done->files = read_written(input.folder);
     if (const auto finger = open_finger(input.folder)) done->before.finger = *finger;
     done->result.emplace(calibrate_finger(input, job));
     if (const auto finger = open_finger(input.folder)) {
-      done->finger = *finger;
-      done->worth = worth_of(**finger, utc_now());
+      done->after.finger = *finger;
+      done->after.worth = worth_of(**finger, utc_now());
     }
     return std::function<void()>([this, done, folder = input.folder] {
       if (folder != collection_.folder()) return;
@@ -281,10 +274,11 @@ void CalibrationRun::start() {
         return;
       }
       auto result = std::make_shared<const FingerCalibration>(std::move(**done->result));
-      const Outcome after{result, result->inputs, done->finger, done->worth};
-      take(after);
+      done->after.result = result;
+      done->after.inputs = result->inputs;
+      take(done->after);
       has_report_ = false;
-      undo_.push(new Undo(*this, std::move(done->files), done->before, after));
+      undo_.push(new Undo(*this, std::move(done->files), done->before, done->after));
       report_.start(result, folder);
     });
   });
@@ -376,10 +370,10 @@ void PressForecast::begin() {
   requested_ = present();
   work_.start([this, requested = requested_, inputs = run_.next_inputs(),
                finger = collection_.analyser()->finger()](const Job& job) {
-    std::vector<ReferencedPress> presses;
+    std::vector<TakenPress> presses;
     for (const auto& press : requested.measured) presses.push_back(*press);
     auto made = std::make_shared<Result<FingerCalibration>>(
-        forecast_calibration(finger, presses, inputs, job));
+        forecast_calibration(finger, std::move(presses), inputs, job));
     return std::function<void()>([this, requested, made, is_stopped = job.stop_requested()] {
       if (requested != requested_) return;
       if (is_stopped) return void(requested_ = {});

@@ -42,14 +42,16 @@ class CalibrationRun : public QObject {
 
   [[nodiscard]] CalibrationState state() const;
   /// Rated accuracy of the finger as stored in its folder; nullopt: unknown, or no finger is open.
-  [[nodiscard]] const std::optional<FingerWorth>& worth() const { return worth_; }
+  [[nodiscard]] const std::optional<FingerWorth>& worth() const { return now_.worth; }
   /// There are usable presses, and no calibration runs.
   [[nodiscard]] bool can_start() const { return !is_running() && collection_.usable_count() > 0; }
   /// Calibration with its figures, from the last run or from the finger's folder. Null: none, or an
   /// earlier version stored too little.
-  [[nodiscard]] const std::shared_ptr<const FingerCalibration>& result() const { return result_; }
+  [[nodiscard]] const std::shared_ptr<const FingerCalibration>& result() const {
+    return now_.result;
+  }
   /// The finger as stored in its folder; null where there is none.
-  [[nodiscard]] const FingerPtr& finger() const { return finger_; }
+  [[nodiscard]] const FingerPtr& finger() const { return now_.finger; }
   [[nodiscard]] const std::optional<Error>& problem() const { return problem_; }
   /// The presses of a stored calibration are being read again for the plots.
   [[nodiscard]] bool is_recalling() const { return recalling_.is_running(); }
@@ -91,13 +93,10 @@ class CalibrationRun : public QObject {
   PressCollection& collection_;
   QUndoStack& undo_;
   std::string version_;
-  std::shared_ptr<const FingerCalibration> result_;
-  std::optional<CalibrationInputs> inputs_;
-  FingerPtr finger_;
-  std::optional<FingerWorth> worth_;
+  Outcome now_;
   std::optional<Error> problem_, recall_problem_;
   std::filesystem::path loaded_folder_;
-  bool lacks_residuals_ = false;  // result_ was loaded, its presses were not read yet
+  bool lacks_residuals_ = false;  // its result was loaded, its presses were not read yet
   bool has_report_ = false;
   ReportWriter report_;
   std::shared_ptr<SharedRounds> rounds_;  ///< shared with the calibrating thread
@@ -134,7 +133,7 @@ class PressForecast : public QObject {
  private:
   /// All inputs of a forecast.
   struct Presses {
-    std::vector<std::shared_ptr<const ReferencedPress>> measured;
+    std::vector<std::shared_ptr<const TakenPress>> measured;
     PressSet press_set;
     bool operator==(const Presses&) const = default;
   };

@@ -84,15 +84,14 @@ CheckPage::CheckPage(LiveSession& session, PressCollection& collection, const Ca
       how_(wrapped_text()),
       count_(wrapped_text()),
       symbol_(new QLabel),
-      verdict_(new QLabel),
+      verdict_(wrapped_label()),
       sentence_(wrapped_text()),
       take_(new QPushButton),
       again_(new QPushButton),
       check_(new QPushButton),
       bar_(new QProgressBar),
       plot_(new HistoryPlot) {
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
+  auto* column = without_margins(new QVBoxLayout(this));
   column->addWidget(problems_);
   ViewOptions options;
   options.direction = options.markers = false;  // only depth is drawn over the contact
@@ -105,7 +104,8 @@ CheckPage::CheckPage(LiveSession& session, PressCollection& collection, const Ca
   new SpaceKey(*this, [this] {
     if (take_->isEnabled()) take();
   });
-  connect(again_, &QPushButton::clicked, this, &CheckPage::begin_again);
+  connect(again_, &QPushButton::clicked, this,
+          [this] { set_taken([] { return tr("begin the check again"); }, {}); });
   connect(check_, &QPushButton::clicked, this, &CheckPage::check);
   connect(&work_, &BackgroundWork::progressed, this, &CheckPage::show_status);
   connect(&work_, &BackgroundWork::finished, this, &CheckPage::show_status);
@@ -138,9 +138,7 @@ CheckPage::CheckPage(LiveSession& session, PressCollection& collection, const Ca
 QWidget* CheckPage::make_side() {
   const SidePanel side(kCheckSideWidth);
   auto* take = new QVBoxLayout(take_group_);
-  take->addWidget(how_);
-  take->addWidget(take_);
-  take->addWidget(count_);
+  add_widgets(*take, {how_, take_, count_});
   auto* row = new QHBoxLayout;
   row->addWidget(check_);
   row->addWidget(again_);
@@ -155,7 +153,6 @@ QWidget* CheckPage::make_side() {
   large.setPointSizeF(1.4 * large.pointSizeF());
   large.setBold(true);
   verdict_->setFont(large);
-  verdict_->setWordWrap(true);
   head->addWidget(verdict_, 1);
   inside->addLayout(head);
   inside->addWidget(sentence_);
@@ -374,10 +371,6 @@ void CheckPage::set_taken(const StepWords& what, std::vector<FramePtr> frames) {
         taken_ = restored;
         show_status();
       }));
-}
-
-void CheckPage::begin_again() {
-  set_taken([] { return tr("begin the check again"); }, {});
 }
 
 }  // namespace alltact

@@ -50,7 +50,6 @@ class CheckPage : public StepPage {
   void watch();
   void follow_source();
   void check();
-  void begin_again();
   void forget_taken();
   void set_taken(const StepWords& what, std::vector<FramePtr> frames);
   void load_history();

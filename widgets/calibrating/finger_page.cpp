@@ -59,8 +59,7 @@ FingerPage::FingerPage(LiveSession& session, QUndoStack& undo, QWidget* parent)
       layer_(new NumberField),
       sizes_(new QWidget),
       change_(new QPushButton) {
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
+  auto* column = without_margins(new QVBoxLayout(this));
   column->addWidget(problems_);
   auto* row = new QHBoxLayout;
   row->addWidget(live_, 1);
@@ -77,8 +76,7 @@ QWidget* FingerPage::make_side() {
   const SidePanel side(kFingerSideWidth);
   auto* geometry = new QVBoxLayout(geometry_group_);
   geometry->addWidget(geometry_);
-  auto* form = new QFormLayout(sizes_);
-  form->setContentsMargins(0, 0, 0, 0);
+  auto* form = without_margins(new QFormLayout(sizes_));
   for (NumberField* size : {width_, layer_}) {
     size->set_shown_decimals(2);
     size->setSingleStep(0.1);
@@ -91,11 +89,11 @@ QWidget* FingerPage::make_side() {
   form->addRow(layer_label_, layer_);
   form->addRow(change_);
   geometry->addWidget(sizes_);
-  for (QPushButton* button : {make_, open_}) geometry->addWidget(button);
+  add_widgets(*geometry, {make_, open_});
   side.column->addWidget(geometry_group_);
   auto* reference = new QVBoxLayout(reference_group_);
   reference->addWidget(reference_);
-  for (QPushButton* button : {record_, reference_image_}) reference->addWidget(button);
+  add_widgets(*reference, {record_, reference_image_});
   side.column->addWidget(reference_group_);
   side.column->addStretch();
   foot_ = side.foot;

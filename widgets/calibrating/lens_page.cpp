@@ -163,11 +163,9 @@ QString camera_text(const CameraParameters& camera, const LensRecord& record) {
 
 }  // namespace
 
-LensPage::LensPage(LiveSession& session, LensMeasurer measurer, std::filesystem::path work_folder,
-                   QWidget* parent)
+LensPage::LensPage(LiveSession& session, std::filesystem::path work_folder, QWidget* parent)
     : StepPage(parent),
       session_(session),
-      measurer_(std::move(measurer)),
       work_folder_(std::move(work_folder)),
       live_(new ImagePanel(session)),
       summary_(wrapped_text()),
@@ -192,8 +190,7 @@ LensPage::LensPage(LiveSession& session, LensMeasurer measurer, std::filesystem:
       guide_(wrapped_text()),
       forecast_(wrapped_text()),
       views_(new QListWidget) {
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
+  auto* column = without_margins(new QVBoxLayout(this));
   column->addWidget(problems_);
   auto* row = new QHBoxLayout;
   row->addWidget(live_, 1);
@@ -212,9 +209,7 @@ QWidget* LensPage::make_side() {
   const SidePanel side(kLensSideWidth);
   side.column->addWidget(summary_);
   auto* live = new QVBoxLayout(live_group_);
-  live->addWidget(take_);
-  live->addWidget(automatic_);
-  live->addWidget(guide_);
+  add_widgets(*live, {take_, automatic_, guide_});
   side.column->addWidget(live_group_);
   views_->setMinimumHeight(100);
   views_->setWordWrap(true);
@@ -257,13 +252,25 @@ void LensPage::connect_parts() {
     if (!file_->text().trimmed().isEmpty()) take_file(file_->text().trimmed().toStdString());
   });
   for (QLineEdit* line : {file_, images_}) show_text_as_tip(*line);
-  connect(choose_file_, &QPushButton::clicked, this, &LensPage::choose_file);
-  connect(choose_images_, &QPushButton::clicked, this, &LensPage::choose_images);
+  connect(choose_file_, &QPushButton::clicked, this, [this] {
+    ask_for_file(
+        this, tr("Camera file"), tr("Camera (*.yaml *.yml)"),
+        [this](const QString& file) { take_file(file.toStdString()); }, file_->text());
+  });
+  connect(choose_images_, &QPushButton::clicked, this, [this] {
+    ask_for_folder(
+        this, tr("Folder of board images"),
+        [this](const QString& folder) { images_->setText(folder); }, images_->text());
+  });
   connect(simulated_, &QPushButton::clicked, this, &LensPage::use_simulated);
   connect(measure_, &QPushButton::clicked, this, &LensPage::measure);
   connect(stop_, &QPushButton::clicked, &work_, &BackgroundWork::stop);
   connect(take_, &QPushButton::clicked, this, &LensPage::request_board);
-  connect(forget_, &QPushButton::clicked, this, &LensPage::remove_chosen_view);
+  connect(forget_, &QPushButton::clicked, this, [this] {
+    if (const QListWidgetItem* item = views_->currentItem())
+      view_to_remove_ = item->data(Qt::UserRole).toString().toStdString();
+    if (!analysing_.is_running()) remove_pending_view();
+  });
   connect(automatic_, &QCheckBox::toggled, this, &LensPage::show_boards);
   connect(views_, &QListWidget::currentRowChanged, this, &LensPage::show_boards);
   connect(form_, &LensForm::board_changed, this, &LensPage::begin_boards);
@@ -362,24 +369,6 @@ void LensPage::take_file(const std::filesystem::path& file) {
   Q_EMIT changed();
 }
 
-void LensPage::choose_file() {
-  auto* dialog =
-      new QFileDialog(this, tr("Camera file"), file_->text(), tr("Camera (*.yaml *.yml)"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(QFileDialog::ExistingFile);
-  connect(dialog, &QFileDialog::fileSelected, this,
-          [this](const QString& file) { take_file(file.toStdString()); });
-  dialog->show();
-}
-
-void LensPage::choose_images() {
-  auto* dialog = new QFileDialog(this, tr("Folder of board images"), images_->text());
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(QFileDialog::Directory);
-  connect(dialog, &QFileDialog::fileSelected, images_, &QLineEdit::setText);
-  dialog->show();
-}
-
 void LensPage::use_simulated() {
   const FingerStatus& finger = session_.status().finger;
   if (!finger.finger) return;
@@ -391,32 +380,36 @@ void LensPage::use_simulated() {
 }
 
 void LensPage::measure() {
-  LensRequest request;
-  request.images = images_->text().trimmed().toStdString();
-  request.board = form_->board();
-  request.settings = form_->settings();
-  request.port = form_->port();
+  const std::filesystem::path images = images_->text().trimmed().toStdString();
   if (const QString refused = form_->refusal(); !refused.isEmpty())
-    return problems_->set_problems({{Meaning::kBad, refused, {}, {}, {}}});
-  if (request.images.empty())
-    return problems_->set_problems(
-        {{Meaning::kBad, tr("No folder of images is specified."), {}, {}, {}}});
+    return problems_->set_problems({{Meaning::kBad, refused}});
+  if (images.empty())
+    return problems_->set_problems({{Meaning::kBad, tr("No folder of images is specified.")}});
   std::error_code failed;
-  const bool is_folder = std::filesystem::is_directory(request.images, failed);
-  request.camera = (is_folder ? request.images : request.images.parent_path()) / "camera.yaml";
+  const bool is_folder = std::filesystem::is_directory(images, failed);
+  const auto file = (is_folder ? images : images.parent_path()) / "camera.yaml";
   problems_->set_problems({});
   outcome_->clear();
-  work_.start([this, request, measurer = measurer_, disk = disk_](const Job& job) {
+  work_.start([this, images, file, board = form_->board(), settings = form_->settings(),
+               port = form_->port(), disk = disk_](const Job& job) {
     disk->wait();
-    const auto measured = measurer(request, job);
-    return std::function<void()>([this, measured, file = request.camera] {
-      if (!measured) return problems_->set_problems({Problem::of(measured.error())});
+    const auto measured = measure_lens({images}, board, settings, job);
+    Status saved;
+    if (measured) {
+      CameraParameters camera = measured->fit.lens;
+      camera.port = port;
+      saved = save_camera(file, camera, lens_record(board, *measured));
+    } else {
+      saved = measured.error();
+    }
+    return std::function<void()>([this, measured, saved, file] {
+      if (!saved) return problems_->set_problems({Problem::of(saved.error())});
       outcome_->setText(tr("Written to %1.").arg(QString::fromStdString(file.string())));
       show_views(measured->views);
-      forecast_->setText(
-          measured->advice.empty()
-              ? QString()
-              : tr("Still better with: %1.").arg(in_window_language(measured->advice)));
+      const Message& advice = measured->coverage.advice;
+      forecast_->setText(advice.empty()
+                             ? QString()
+                             : tr("Still better with: %1.").arg(in_window_language(advice)));
       take_file(file);
     });
   });
@@ -506,9 +499,7 @@ LensForm::LensForm(QWidget* parent)
   rows_->setValue(6);
   auto* size = new QHBoxLayout;
   size->setSpacing(4);  // px: "9 by 6" stands in one line of the side
-  size->addWidget(columns_);
-  size->addWidget(by_label_);
-  size->addWidget(rows_);
+  add_widgets(*size, {columns_, by_label_, rows_});
   size->addStretch();
   form_->addRow(pattern_label_, pattern_);
   form_->addRow(size_label_, size);
@@ -566,10 +557,8 @@ void LensForm::name_parts() {
 
 void LensForm::show_port() {
   for (QWidget* part :
-       {static_cast<QWidget*>(gap_label_), static_cast<QWidget*>(gap_),
-        static_cast<QWidget*>(plate_label_), static_cast<QWidget*>(plate_),
-        static_cast<QWidget*>(plate_index_label_), static_cast<QWidget*>(plate_index_),
-        static_cast<QWidget*>(medium_index_label_), static_cast<QWidget*>(medium_index_)})
+       std::initializer_list<QWidget*>{gap_label_, gap_, plate_label_, plate_, plate_index_label_,
+                                       plate_index_, medium_index_label_, medium_index_})
     part->setVisible(has_port_->isChecked());
 }
 
@@ -685,12 +674,6 @@ void LensPage::add_board(const BoardAnalysis& detection) {
   QApplication::beep();
   is_fit_stale_ = true;
   fit_boards();
-}
-
-void LensPage::remove_chosen_view() {
-  if (const QListWidgetItem* item = views_->currentItem())
-    view_to_remove_ = item->data(Qt::UserRole).toString().toStdString();
-  if (!analysing_.is_running()) remove_pending_view();
 }
 
 void LensPage::remove_pending_view() {

@@ -58,29 +58,11 @@ class LensForm : public Translated<QWidget> {
   QLabel *gap_label_, *plate_label_, *plate_index_label_, *medium_index_label_;
 };
 
-struct LensRequest {
-  std::filesystem::path images;  ///< a folder of images, or a recording
-  Board board;
-  LensSettings settings;
-  std::optional<FlatPort>
-      port;  ///< a window in front of the finger that the board was not seen through
-  std::filesystem::path camera;  ///< output file
-};
-struct LensResult {
-  Message verdict;  ///< one sentence
-  std::vector<LensViewReport> views;
-  Message advice;  ///< missing views; empty: none
-};
-/// Calibrates a lens as the command line does and writes the camera file. Runs on a background
-/// thread.
-using LensMeasurer = std::function<Result<LensResult>(const LensRequest&, const Job&)>;
-
 class LensPage : public StepPage {
   Q_OBJECT
  public:
   /// work_folder: for unnamed camera files and for captured board images.
-  LensPage(LiveSession& session, LensMeasurer measurer, std::filesystem::path work_folder,
-           QWidget* parent = nullptr);
+  LensPage(LiveSession& session, std::filesystem::path work_folder, QWidget* parent = nullptr);
 
   [[nodiscard]] QString title() const override { return tr("Lens"); }
   [[nodiscard]] StepState state() const override;
@@ -97,8 +79,6 @@ class LensPage : public StepPage {
   void connect_parts();
   void name_parts();
   void take_file(const std::filesystem::path& file);
-  void choose_file();
-  void choose_images();
   void use_simulated();
   void measure();
   void show_progress();
@@ -112,7 +92,6 @@ class LensPage : public StepPage {
   void take_detection(const std::shared_ptr<BoardCollector>& by, const BoardAnalysis& detection);
   void request_board();
   void add_board(const BoardAnalysis& detection);
-  void remove_chosen_view();
   void remove_pending_view();
   void begin_boards();
   void fit_boards();
@@ -122,7 +101,6 @@ class LensPage : public StepPage {
 
   QVBoxLayout* foot_ = nullptr;
   LiveSession& session_;
-  LensMeasurer measurer_;
   std::filesystem::path work_folder_;
   ImagePanel* live_;
   QLabel* summary_;

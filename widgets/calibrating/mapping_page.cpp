@@ -37,8 +37,7 @@ MappingPage::MappingPage(PressCollection& collection, CalibrationRun& run, Press
       errors_(new PressErrorPlot),
       residual_(new FaceMapPlot),
       sd_(new FaceMapPlot) {
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
+  auto* column = without_margins(new QVBoxLayout(this));
   column->addWidget(problems_);
   auto* row = new QHBoxLayout;
   calibrate_->setMinimumWidth(160);
@@ -48,18 +47,15 @@ MappingPage::MappingPage(PressCollection& collection, CalibrationRun& run, Press
   row->addWidget(progress_, 2);
   column->addLayout(row);
   column->addWidget(text_);
-  auto* chosen = new QHBoxLayout(chosen_row_);
-  chosen->setContentsMargins(0, 0, 0, 0);
+  auto* chosen = without_margins(new QHBoxLayout(chosen_row_));
   chosen->addWidget(chosen_, 1);
   chosen->addWidget(show_press_);
   chosen->addWidget(leave_out_);
   column->addWidget(chosen_row_);
-  auto* running = new QHBoxLayout(running_);
-  running->setContentsMargins(0, 0, 0, 0);
+  auto* running = without_margins(new QHBoxLayout(running_));
   running->addWidget(log_, 1);
   running->addWidget(convergence_, 1);
-  auto* figures = new QGridLayout(figures_);
-  figures->setContentsMargins(0, 0, 0, 0);
+  auto* figures = without_margins(new QGridLayout(figures_));
   figures->addWidget(mapping_, 0, 0);
   figures->addWidget(errors_, 0, 1);
   figures->addWidget(residual_, 1, 0);

@@ -20,16 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path file_of(const fs::path& folder, const std::string& name) {
-  return folder / kPressFolder / (name + ".png");
-}
-
-Status write_press(const fs::path& folder, const Frame& frame) {
-  if (const Status made = make_folder(folder / kPressFolder); !made) return made;
-  return write_image(file_of(folder, frame.name), frame.grey,
-                     frame.controls ? *frame.controls : std::string());
-}
-
 Result<FramePtr> read_press(const fs::path& file) {
   auto source = open_source({file});
   if (!source) return source.error();
@@ -172,7 +162,7 @@ void PressCollection::analyse_next() {
                                  [](const CollectedPress& press) { return !press.is_analysed; });
   if (next == presses_.end()) return;
   analysing_.start([this, opened = opened_, name = next->name, given = next->frame,
-                    file = file_of(folder_, next->name), analyser = analyser_,
+                    file = stored_press_file(folder_, next->name), analyser = analyser_,
                     radius = sought_radius_mm(press_set_, next->name)](const Job&) {
     FramePtr frame = given;
     PressAnalysis analysis;
@@ -287,15 +277,16 @@ void PressCollection::remove(const std::string& name) {
 void PressCollection::insert(const std::vector<FramePtr>& frames) {
   for (const FramePtr& frame : frames) {
     presses_.push_back({frame->name, frame, {}, false});
-    disk_->add(file_of(folder_, frame->name), [folder = folder_, frame, waiting = waiting_] {
-      const Status written = guarded([&] { return write_press(folder, *frame); });
-      const std::lock_guard lock(waiting->mutex);
-      if (written)
-        waiting->unsaved.erase(frame->name);
-      else
-        waiting->unsaved.insert(frame->name);
-      return written;
-    });
+    disk_->add(stored_press_file(folder_, frame->name),
+               [folder = folder_, frame, waiting = waiting_] {
+                 const Status written = guarded([&] { return store_press(folder, *frame); });
+                 const std::lock_guard lock(waiting->mutex);
+                 if (written)
+                   waiting->unsaved.erase(frame->name);
+                 else
+                   waiting->unsaved.insert(frame->name);
+                 return written;
+               });
   }
   std::sort(presses_.begin(), presses_.end(), before);
   analyse_next();
@@ -304,7 +295,7 @@ void PressCollection::insert(const std::vector<FramePtr>& frames) {
 void PressCollection::erase(const std::vector<FramePtr>& frames) {
   for (const FramePtr& frame : frames) {
     std::erase_if(presses_, [&](const CollectedPress& press) { return press.name == frame->name; });
-    const fs::path file = file_of(folder_, frame->name);
+    const fs::path file = stored_press_file(folder_, frame->name);
     disk_->add(file, [file]() -> Status {
       std::error_code failed;
       fs::remove(file, failed);
@@ -357,10 +348,7 @@ void PressCollection::add_next() {
             std::move(*frames), true));
       if (!twice.isEmpty())
         Q_EMIT refused({Meaning::kDoubtful,
-                        tr("Presses with these names exist already: %1.").arg(listed(twice)),
-                        {},
-                        {},
-                        {}});
+                        tr("Presses with these names exist already: %1.").arg(listed(twice))});
     });
   });
 }
@@ -388,18 +376,16 @@ PressAnalysis PressAnalyser::operator()(const FramePtr& frame, double radius_mm)
     return analysis;
   }
   analysis.grey = result->grey;
-  auto measured = std::make_shared<ReferencedPress>();
-  measured->taken = press_of(frame->name, *result);
-  measured->reference = std::move(result->reference);
+  auto measured = std::make_shared<TakenPress>(press_of(frame->name, *result));
   analysis.measured = measured;
-  if (!measured->taken.press) {
+  if (!measured->press) {
     if (result->shape) analysis.shape = std::make_shared<const FaceShape>(*result->shape);
-    analysis.problem = Error{measured->taken.left_out, "", ""};
+    analysis.problem = Error{measured->left_out, "", ""};
     return analysis;
   }
-  analysis.shape = std::shared_ptr<const FaceShape>(measured, &measured->taken.press->shape);
+  analysis.shape = std::shared_ptr<const FaceShape>(measured, &measured->press->shape);
   if (!(radius_mm > 0)) return analysis;
-  Press press = *measured->taken.press;
+  Press press = *measured->press;
   press.ball_radius_mm = radius_mm;
   const auto ball = find_ball(press, pipeline_.finger().face);
   if (ball)
@@ -414,7 +400,7 @@ PressAnalysis PressAnalyser::operator()(const FramePtr& frame, double radius_mm)
 namespace {
 
 // Consecutive steps with the same id are undone together.
-enum MergeId { kRadius = 5'000'000, kOperator, kGrips = 5'100'000 };
+constexpr int kRadius = 5'000'000, kOperator = 5'000'001, kGrips = 5'100'000;
 
 }  // namespace
 

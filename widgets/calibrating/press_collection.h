@@ -33,7 +33,7 @@ struct PressAnalysis {
   std::optional<Eigen::Vector3d> found_mm;  ///< the ball's centre, camera frame
   std::optional<Error> problem;             ///< why there is no ball
   /// Input of a calibration; null where the image is not usable.
-  std::shared_ptr<const ReferencedPress> measured;
+  std::shared_ptr<const TakenPress> measured;
 };
 
 /// Used by one thread at a time.

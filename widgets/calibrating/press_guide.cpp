@@ -22,32 +22,11 @@ constexpr int kCapPoints = 60;
 
 struct GuideWords {
   Q_DECLARE_TR_FUNCTIONS(alltact::GuideWords)
- public:
-  static QString press_here(double depth_mm) {
-    return tr("Press here, %1 mm deep").arg(local_mm(depth_mm, 1));
-  }
-  static QString enough_presses() { return tr("Enough presses: another would hardly help."); }
-  static QString now(double depth_mm, PressProgress so_far) {
-    const QString depth = local_mm(depth_mm, 1);
-    switch (so_far) {
-      case PressProgress::kDeeper:
-        return tr("now %1 mm: deeper").arg(depth);
-      case PressProgress::kEnough:
-        return tr("now %1 mm: enough, hold still").arg(depth);
-      case PressProgress::kTooDeep:
-        break;
-    }
-    return tr("now %1 mm: too deep").arg(depth);
-  }
-  static QString waits() { return tr("The press is taken once ball and finger are held still."); }
-  static QString refused() {
-    return tr("Not taken: ball and finger were not held still. Hold them still for half a second.");
-  }
-  static QString elsewhere(double depth_mm, double lateral_offset_mm) {
-    return tr("now %1 mm, %2 mm from the target")
-        .arg(local_mm(depth_mm, 1), local_mm(lateral_offset_mm, 0));
-  }
 };
+
+QString press_here_text(double depth_mm) {
+  return GuideWords::tr("Press here, %1 mm deep").arg(local_mm(depth_mm, 1));
+}
 
 /// nullopt where the depth or the target is unknown.
 std::optional<PressProgress> so_far_of(const PressGuidance& frame) {
@@ -57,11 +36,22 @@ std::optional<PressProgress> so_far_of(const PressGuidance& frame) {
   return press_progress(*frame.depth_mm, frame.target->depth_mm, frame.layer_mm);
 }
 
-QString words_of(const PressGuidance& frame) {
+QString depth_words(const PressGuidance& frame) {
   if (!frame.depth_mm || !frame.target) return {};
+  const QString depth = local_mm(*frame.depth_mm, 1);
   const auto so_far = so_far_of(frame);
-  return so_far ? GuideWords::now(*frame.depth_mm, *so_far)
-                : GuideWords::elsewhere(*frame.depth_mm, frame.lateral_offset_mm);
+  if (!so_far)
+    return GuideWords::tr("now %1 mm, %2 mm from the target")
+        .arg(depth, local_mm(frame.lateral_offset_mm, 0));
+  switch (*so_far) {
+    case PressProgress::kDeeper:
+      return GuideWords::tr("now %1 mm: deeper").arg(depth);
+    case PressProgress::kEnough:
+      return GuideWords::tr("now %1 mm: enough, hold still").arg(depth);
+    case PressProgress::kTooDeep:
+      break;
+  }
+  return GuideWords::tr("now %1 mm: too deep").arg(depth);
 }
 
 /// Approximate depth along the normal: measured for a calibrated finger, else from the radius of
@@ -105,8 +95,8 @@ std::vector<Eigen::Vector2d> positions_of(const PressCollection& collection) {
 }
 
 Overlay target_overlay(const PressGuidance& frame) {
-  return [frame, words = GuideWords::press_here(frame.target->depth_mm)](
-             QPainter& painter, const ImageTransform& transform) {
+  return [frame, words = press_here_text(frame.target->depth_mm)](QPainter& painter,
+                                                                  const ImageTransform& transform) {
     QPolygonF rim;
     for (const auto& p : frame.outline_px) rim << transform.to_widget({p.x(), p.y()});
     const QPointF at = transform.to_widget({frame.target_px->x(), frame.target_px->y()});
@@ -128,7 +118,7 @@ Overlay target_overlay(const PressGuidance& frame) {
 /// A ring around the contact that fills clockwise from the top, and the depth as text.
 Overlay hold_overlay(const PressGuidance& frame) {
   const auto so_far = so_far_of(frame);
-  const QString words = words_of(frame);
+  const QString words = depth_words(frame);
   return [frame, so_far, words](QPainter& painter, const ImageTransform& transform) {
     const QPointF at = transform.to_widget({frame.contact->pixel.x(), frame.contact->pixel.y()});
     const QRectF ring(at - QPointF(kHoldRing, kHoldRing), QSizeF(2 * kHoldRing, 2 * kHoldRing));
@@ -185,14 +175,17 @@ PressGuidance guidance_of(const FrameResult& result, const PressCollection& coll
 }
 
 QString guide_words(const PressGuidance& frame) {
-  if (!frame.target) return GuideWords::enough_presses();
-  return as_sentence(joined({GuideWords::press_here(frame.target->depth_mm),
-                             frame.depth_mm ? words_of(frame) : QString()}));
+  if (!frame.target) return GuideWords::tr("Enough presses: another would hardly help.");
+  return as_sentence(joined({press_here_text(frame.target->depth_mm), depth_words(frame)}));
 }
 
 QString waiting_words(PressTaker::State state) {
   if (state == PressTaker::State::kIdle) return {};
-  return state == PressTaker::State::kWaits ? GuideWords::waits() : GuideWords::refused();
+  return state == PressTaker::State::kWaits
+             ? GuideWords::tr("The press is taken once ball and finger are held still.")
+             : GuideWords::tr(
+                   "Not taken: ball and finger were not held still. Hold them still "
+                   "for half a second.");
 }
 
 std::vector<Overlay> guide_overlays(const PressGuidance& frame) {

@@ -53,7 +53,7 @@ PressesPage::PressesPage(LiveSession& session, PressCollection& collection,
       live_(new ImagePanel(session)),
       editor_(new OutlineEditor),
       fit_pane_(new PressFitPane),
-      position_(new QLabel),
+      position_(wrapped_label()),
       take_group_(new QGroupBox),
       press_group_(new QGroupBox),
       radius_label_(new QLabel),
@@ -71,8 +71,7 @@ PressesPage::PressesPage(LiveSession& session, PressCollection& collection,
       taken_(wrapped_text()),
       press_text_(wrapped_text()),
       legend_(wrapped_text()) {
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
+  auto* column = without_margins(new QVBoxLayout(this));
   column->addWidget(problems_);
   auto* row = new QHBoxLayout;
   row->addWidget(make_views(), 1);
@@ -87,14 +86,11 @@ PressesPage::PressesPage(LiveSession& session, PressCollection& collection,
 
 QWidget* PressesPage::make_views() {
   auto* views = new QWidget;
-  auto* column = new QVBoxLayout(views);
-  column->setContentsMargins(0, 0, 0, 0);
+  auto* column = without_margins(new QVBoxLayout(views));
   auto* edited = new QWidget;
-  auto* inside = new QVBoxLayout(edited);
-  inside->setContentsMargins(0, 0, 0, 0);
+  auto* inside = without_margins(new QVBoxLayout(edited));
   inside->addWidget(editor_, 3);
   position_->setMinimumWidth(1);
-  position_->setWordWrap(true);
   inside->addWidget(position_);
   inside->addWidget(fit_pane_, 2);
   views_->addWidget(live_);
@@ -131,13 +127,9 @@ void PressesPage::make_taking(QVBoxLayout& column) {
   radius_->setSingleStep(0.1);
   radius_label_->setBuddy(radius_);
   operator_label_->setBuddy(operator_);
-  column.addWidget(take_);
-  column.addWidget(take_reason_);
-  column.addWidget(taken_);
+  add_widgets(column, {take_, take_reason_, taken_});
   auto* inside = new QVBoxLayout(take_group_);
-  inside->addWidget(guide_);
-  inside->addWidget(automatic_);
-  inside->addWidget(waiting_reason_);
+  add_widgets(*inside, {guide_, automatic_, waiting_reason_});
   auto* form = new QFormLayout;
   form->addRow(radius_label_, radius_);
   form->addRow(operator_label_, operator_);
@@ -150,9 +142,7 @@ void PressesPage::make_press(QVBoxLayout& column) {
   inside->addWidget(press_text_);
   inside->addWidget(fit_pane_->words());
   residual_->setChecked(true);
-  inside->addWidget(residual_);
-  inside->addWidget(find_);
-  inside->addWidget(more_);
+  add_widgets(*inside, {residual_, find_, more_});
   more_->setCheckable(true);
   more_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   inside->addWidget(form_);
@@ -275,7 +265,6 @@ QString PressesPage::missing() const {
 void PressesPage::choose_files() {
   auto* dialog = new QFileDialog(this, tr("Images of presses"), QString(),
                                  tr("Images (*.png *.jpg *.jpeg *.bmp *.tif *.tiff *.pgm)"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFiles);
   connect(dialog, &QFileDialog::filesSelected, this, [this](const QStringList& files) {
     std::vector<std::filesystem::path> inputs;
@@ -284,7 +273,7 @@ void PressesPage::choose_files() {
     show_problems();
     collection_.add_files(inputs);
   });
-  dialog->show();
+  show_dialog(*dialog);
 }
 
 void PressesPage::show_press(const std::string& name) {
@@ -372,8 +361,7 @@ PressForm::PressForm(PressCollection& collection, QWidget* parent)
       depth_(new NumberField),
       depth_sd_(new NumberField),
       step_(new NumberField) {
-  auto* form = new QFormLayout(this);
-  form->setContentsMargins(0, 0, 0, 0);
+  auto* form = without_margins(new QFormLayout(this));
   const auto add = [form](QLabel* label, NumberField* field, const Quantity& is, double step) {
     field->set_quantity(is);
     field->setMinimum(0);  // 0: unknown
@@ -474,13 +462,10 @@ std::vector<Overlay> residual_overlays(const PressFit& fit) {
 }
 
 PressFitPane::PressFitPane(QWidget* parent)
-    : Translated(parent), plot_(new MappingPlot), words_(new QLabel) {
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(0, 0, 0, 0);
+    : Translated(parent), plot_(new MappingPlot), words_(wrapped_text()) {
+  auto* row = without_margins(new QHBoxLayout(this));
   row->addWidget(plot_, 1);
-  words_->setWordWrap(true);
   words_->setTextFormat(Qt::RichText);
-  words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   say([this] { words_->setAccessibleName(tr("Mapping minus ball in this press")); });
   hide();
   words_->hide();
@@ -578,9 +563,9 @@ QString PressesPage::advice_for(const CollectedPress& press) const {
 std::optional<PressFit> PressesPage::fit_at(const CollectedPress& press,
                                             const Eigen::Vector3d& centre_mm) const {
   const FingerCalibration* known = forecast_.baseline();
-  if (known == nullptr || !press.analysis.measured || !press.analysis.measured->taken.press)
+  if (known == nullptr || !press.analysis.measured || !press.analysis.measured->press)
     return std::nullopt;
-  Press measured = *press.analysis.measured->taken.press;  // shares its images
+  Press measured = *press.analysis.measured->press;  // shares its images
   measured.ball_radius_mm = collection_.press_set().radius_of(press.name);
   return fit_of_press(measured, collection_.analyser()->finger().face, known->calibration.mapping,
                       centre_mm);

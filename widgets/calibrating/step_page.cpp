@@ -40,8 +40,7 @@ QString state_word(StepState state) {
 }  // namespace
 
 StepList::StepList(QWidget* parent) : Translated(parent) {
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(0, 0, 0, 0);
+  without_margins(new QHBoxLayout(this));
   say([this] { apply_style(); });
 }
 

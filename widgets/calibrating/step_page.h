@@ -81,14 +81,6 @@ class StepPage : public Translated<QWidget> {
   void changed();
 };
 
-/// A label for sentences.
-[[nodiscard]] inline QLabel* wrapped_text() {
-  auto* label = new QLabel;
-  label->setWordWrap(true);
-  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  return label;
-}
-
 // Makes the space bar act as a foot pedal: it takes the next press wherever the focus is in the
 // window.
 

@@ -10,7 +10,6 @@
 #include "widgets/verdict_text.h"
 
 #include <QClipboard>
-#include <QCoreApplication>
 #include <QDateTime>
 #include <QDesktopServices>
 #include <QGuiApplication>
@@ -58,16 +57,13 @@ VerdictPage::VerdictPage(CalibrationRun& run, QWidget* parent)
       more_(new MoreDataBox),
       report_state_(wrapped_text()),
       command_(wrapped_text()) {
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
+  auto* column = without_margins(new QVBoxLayout(this));
   column->setSpacing(4);
   make_head(*column);
-  for (Plot* plot :
-       {static_cast<Plot*>(face_), static_cast<Plot*>(errors_), static_cast<Plot*>(mapping_)})
+  for (Plot* plot : std::initializer_list<Plot*>{face_, errors_, mapping_})
     plot->setMinimumHeight(kMinPlotHeight);
   column->addWidget(face_, 1);
-  auto* figures = new QHBoxLayout(figures_);
-  figures->setContentsMargins(0, 0, 0, 0);
+  auto* figures = without_margins(new QHBoxLayout(figures_));
   figures->addWidget(errors_, 1);
   figures->addWidget(mapping_, 1);
   column->addWidget(figures_, 1);
@@ -111,11 +107,7 @@ void VerdictPage::make_head(QVBoxLayout& column) {
   large.setBold(true);
   grade_->setFont(large);
   grade_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  words->addWidget(grade_);
-  words->addWidget(findings_);
-  words->addWidget(sentence_);
-  words->addWidget(zones_);
-  words->addWidget(next_);
+  add_widgets(*words, {grade_, findings_, sentence_, zones_, next_});
   head->addLayout(words, 1);
   auto* side = new QVBoxLayout;
   side->addWidget(task_);
@@ -131,15 +123,10 @@ void VerdictPage::make_foot(QVBoxLayout& column) {
     fold->setCheckable(true);
     fold->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   }
-  buttons->addWidget(print_);
-  buttons->addWidget(report_);
-  buttons->addWidget(copy_);
-  buttons->addWidget(fold_);
-  buttons->addWidget(fold_more_);
+  add_widgets(*buttons, {print_, report_, copy_, fold_, fold_more_});
   buttons->addWidget(report_state_, 1);
   column.addLayout(buttons);
-  auto* inside = new QVBoxLayout(folded_);
-  inside->setContentsMargins(0, 0, 0, 0);
+  auto* inside = without_margins(new QVBoxLayout(folded_));
   remarks_->setWordWrap(true);
   remarks_->setMaximumHeight(110);
   inside->addWidget(remarks_);
@@ -342,10 +329,6 @@ constexpr int kSheetWidth = 600;         // px at 96 per inch: the width of a pr
 constexpr double kSheetSharpness = 3.0;  // pixels per sheet pixel: 288 per inch
 constexpr std::size_t kMaxPresses = 12;
 
-struct SheetWords {
-  Q_DECLARE_TR_FUNCTIONS(alltact::SheetWords)
-};
-
 /// Builds one sheet from top to bottom.
 class Sheet {
  public:
@@ -353,7 +336,7 @@ class Sheet {
       : done_(done),
         now_(now),
         light_(theme_palette(Theme::kLight)),
-        document_(SheetWords::tr("Finger %1: verdict on its calibration")
+        document_(VerdictPage::tr("Finger %1: verdict on its calibration")
                       .arg(as_text(done.finger.name))) {}
 
   Document written(const QString& command) {
@@ -387,18 +370,18 @@ class Sheet {
                 : as_text(done_.inputs.date);
     const QString person = as_text(done_.inputs.press_set.operator_name);
     document_.paragraph(
-        joined({SheetWords::tr("%1, ball of radius %2 mm, %n press(es), AllTact %3", nullptr,
-                               static_cast<int>(done_.calibration.balls.size()))
+        joined({VerdictPage::tr("%1, ball of radius %2 mm, %n press(es), AllTact %3", nullptr,
+                                static_cast<int>(done_.calibration.balls.size()))
                     .arg(date, local_mm(done_.inputs.press_set.ball_radius_mm, 3),
                          as_text(done_.inputs.program_version)),
                 person}));
     if (!done_.zones.empty())
-      document_.paragraph(SheetWords::tr("By zone of the face: %1.")
+      document_.paragraph(VerdictPage::tr("By zone of the face: %1.")
                               .arg(in_window_language(zone_sentence(done_.zones))));
     QStringList signs;
     for (const Message& sign : done_.fault_signs) signs << window_sentence(sign);
     if (!signs.isEmpty())
-      document_.box(SheetWords::tr("The presses show a fault"), signs.join(QLatin1Char('\n')),
+      document_.box(VerdictPage::tr("The presses show a fault"), signs.join(QLatin1Char('\n')),
                     meaning_colour(Meaning::kDoubtful, light_));
   }
 
@@ -406,12 +389,11 @@ class Sheet {
     MappingPlot mapping;
     mapping.set_data(mapping_figure(done_.calibration, done_.residuals));
     add(mapping, 220,
-        SheetWords::tr("From brightness to depth: each point is a block of pixels "
-                       "under a ball."));
+        VerdictPage::tr("From brightness to depth: each point is a block of pixels under a ball."));
     FaceMapPlot map;
     map.set_data(face_figure(FaceQuantity::kResidual, done_.calibration, done_.residuals,
                              done_.finger.face.kind));
-    add(map, 180, SheetWords::tr("Position on the face, and the mapping's error there."));
+    add(map, 180, VerdictPage::tr("Position on the face, and the mapping's error there."));
   }
 
   void add(Plot& plot, int height, const QString& caption) {
@@ -427,18 +409,18 @@ class Sheet {
     for (const BallFit& ball : done_.calibration.balls) {
       if (rows.size() == kMaxPresses) break;
       const auto error = press_error_mm(ball);
-      rows.push_back({{as_text(ball.press), {}, 0},
-                      {local_mm(ball.depth_mm, 2), {}, 0},
-                      {error ? local_mm(*error, 3) : SheetWords::tr("unknown"), {}, 0},
-                      {error ? error_word(meaning_of_error(*error)) : QString(), {}, 0}});
+      rows.push_back({{as_text(ball.press)},
+                      {local_mm(ball.depth_mm, 2)},
+                      {error ? local_mm(*error, 3) : VerdictPage::tr("unknown")},
+                      {error ? error_word(meaning_of_error(*error)) : QString()}});
     }
-    document_.table({SheetWords::tr("Press"), SheetWords::tr("Depth (mm)"),
-                     SheetWords::tr("Error (mm)"), QString()},
+    document_.table({VerdictPage::tr("Press"), VerdictPage::tr("Depth (mm)"),
+                     VerdictPage::tr("Error (mm)"), QString()},
                     rows, {false, true, true, false});
     const auto more = done_.calibration.balls.size() - rows.size();
     if (more > 0)
       document_.paragraph(
-          SheetWords::tr("%n more press(es) in the report.", nullptr, static_cast<int>(more)));
+          VerdictPage::tr("%n more press(es) in the report.", nullptr, static_cast<int>(more)));
   }
 
   void add_next() {
@@ -464,13 +446,12 @@ void print_sheet(const Document& sheet, QWidget& parent) {
   printer->setPageLayout(
       QPageLayout(QPageSize(QPageSize::A4), QPageLayout::Portrait, QMarginsF(0, 0, 0, 0)));
   auto* dialog = new QPrintDialog(printer.get(), &parent);
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setWindowTitle(SheetWords::tr("Print the verdict"));
+  dialog->setWindowTitle(VerdictPage::tr("Print the verdict"));
   QObject::connect(dialog, qOverload<QPrinter*>(&QPrintDialog::accepted), dialog,
                    [sheet, printer](QPrinter* chosen) { sheet.print(*chosen); });
   // The dialog uses the printer as long as it lives.
   QObject::connect(dialog, &QObject::destroyed, [printer] {});
-  dialog->show();
+  show_dialog(*dialog);
 }
 
 namespace {
@@ -507,12 +488,10 @@ bool is_same_calibration(const FingerPtr& a, const FingerPtr& b) {
 
 MoreDataBox::MoreDataBox(QWidget* parent)
     : Translated(parent),
-      words_(new QLabel),
+      words_(wrapped_text()),
       plot_(new PressesPlot),
       start_(new QPushButton),
       bar_(new QProgressBar) {
-  words_->setWordWrap(true);
-  words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   plot_->setMinimumHeight(150);
   auto* column = new QVBoxLayout(this);
   column->addWidget(words_);

@@ -192,19 +192,12 @@ class ControlPanel::Row : public QWidget {
 ControlPanel::ControlPanel(QWidget* parent)
     : Translated(parent),
       lock_(new QCheckBox),
-      reason_(new QLabel),
-      empty_(new QLabel),
+      reason_(wrapped_label()),
+      empty_(wrapped_label()),
       list_(new QWidget) {
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  reason_->setWordWrap(true);
-  empty_->setWordWrap(true);
-  auto* rows = new QVBoxLayout(list_);
-  rows->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(empty_);
-  layout->addWidget(lock_);
-  layout->addWidget(reason_);
-  layout->addWidget(list_);
+  auto* layout = without_margins(new QVBoxLayout(this));
+  without_margins(new QVBoxLayout(list_));
+  add_widgets(*layout, {empty_, lock_, reason_, list_});
   lock_->setChecked(true);
   connect(lock_, &QCheckBox::clicked, this, &ControlPanel::lock_changed);
   say([this] {
@@ -248,7 +241,7 @@ void ControlPanel::rebuild() {
 void ControlPanel::refresh() {
   const bool has_controls = !controls_.empty();
   empty_->setVisible(!has_controls);
-  for (QWidget* widget : {static_cast<QWidget*>(lock_), static_cast<QWidget*>(reason_), list_})
+  for (QWidget* widget : std::initializer_list<QWidget*>{lock_, reason_, list_})
     widget->setVisible(has_controls);
   lock_->setChecked(is_locked_);
   for (const CameraControl& control : controls_)
@@ -301,15 +294,14 @@ LampPanel::LampPanel(Lamp& lamp, QWidget* parent)
       device_label_(new QLabel),
       control_label_(new QLabel),
       level_label_(new QLabel),
-      state_(new QLabel),
+      state_(wrapped_label()),
       device_(new QComboBox),
       control_(new QComboBox),
       report_(new QLineEdit),
       look_(new QPushButton),
       slider_(new QSlider(Qt::Horizontal)),
       level_(new IntegerField) {
-  auto* form = new QFormLayout(this);
-  form->setContentsMargins(0, 0, 0, 0);
+  auto* form = without_margins(new QFormLayout(this));
   form->setRowWrapPolicy(QFormLayout::WrapLongRows);
   auto* devices = new QHBoxLayout;
   device_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -317,7 +309,7 @@ LampPanel::LampPanel(Lamp& lamp, QWidget* parent)
   devices->addWidget(device_, 1);
   devices->addWidget(look_);
   for (int i = 0; i <= kControls.size(); ++i) control_->addItem({});
-  for (QWidget* widget : {static_cast<QWidget*>(slider_), static_cast<QWidget*>(level_)})
+  for (QWidget* widget : std::initializer_list<QWidget*>{slider_, level_})
     widget->setEnabled(false);
   slider_->setRange(0, kFullLevel);
   level_->setRange(0, kFullLevel);
@@ -329,7 +321,6 @@ LampPanel::LampPanel(Lamp& lamp, QWidget* parent)
   form->addRow(report_);
   form->addRow(level_label_, levels);
   form->addRow(state_);
-  state_->setWordWrap(true);
   device_label_->setBuddy(device_);
   control_label_->setBuddy(control_);
   level_label_->setBuddy(level_);
@@ -422,7 +413,7 @@ void LampPanel::show_lamp() {
     device_->setCurrentIndex(0);
   }
   report_->setVisible(control_->currentIndex() == kControls.size());
-  for (QWidget* widget : {static_cast<QWidget*>(slider_), static_cast<QWidget*>(level_)})
+  for (QWidget* widget : std::initializer_list<QWidget*>{slider_, level_})
     widget->setEnabled(requested.has_value());
   const auto& problem = lamp_.problem();
   const auto& setting = lamp_.setting();

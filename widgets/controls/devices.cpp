@@ -226,13 +226,7 @@ void Pedal::end_learning(const Result<LearntButton>& learnt,
   listen(learnt ? std::optional(*learnt) : before);
 }
 
-/// Used by one background task after the other.
-struct Lamp::Device {
-  std::optional<LedDimmer> dimmer;
-};
-
-Lamp::Lamp(HidPorts ports, QObject* parent)
-    : QObject(parent), ports_(std::move(ports)), device_(std::make_shared<Device>()) {
+Lamp::Lamp(HidPorts ports, QObject* parent) : QObject(parent), ports_(std::move(ports)) {
   connect(&setting_work_, &BackgroundWork::finished, this, &Lamp::send);
 }
 
@@ -258,9 +252,9 @@ void Lamp::send() {
   if (is_sent_ || setting_work_.is_running()) return;
   is_sent_ = true;
   setting_work_.start(
-      [this, requested = *requested_, device = device_, open = ports_.open](const Job&) {
+      [this, requested = *requested_, opened = dimmer_, open = ports_.open](const Job&) {
         const auto result = [&]() -> Result<DimmerSetting> {
-          auto& dimmer = device->dimmer;
+          auto& dimmer = *opened;
           if (!dimmer || dimmer->setting().device != requested.device ||
               dimmer->setting().control != requested.control) {
             dimmer.reset();

@@ -118,7 +118,6 @@ class Lamp : public QObject {
   void changed();
 
  private:
-  struct Device;
   void send();
 
   HidPorts ports_;
@@ -126,7 +125,8 @@ class Lamp : public QObject {
   std::optional<DimmerSetting> requested_, setting_;
   bool is_sent_ = true;  // requested_ was sent to the device
   std::optional<Error> problem_;
-  std::shared_ptr<Device> device_;
+  /// Open dimmer, used by one background task after the other.
+  std::shared_ptr<std::optional<LedDimmer>> dimmer_ = std::make_shared<std::optional<LedDimmer>>();
   BackgroundWork finding_, setting_work_;
 };
 

@@ -4,7 +4,6 @@
 #include "widgets/language.h"
 #include "widgets/widget_base.h"
 
-#include <QFileDialog>
 #include <QGridLayout>
 #include <QLocale>
 #include <QVBoxLayout>
@@ -28,25 +27,18 @@ cv::Mat contact_face(const FaceSurface& surface) {
 }  // namespace
 
 FingerPair::FingerPair(const Inspection& first, QObject* parent) : QObject(parent), first_(first) {
-  connect(&inspection_, &Inspection::frame_ready, this, [this] {
+  const auto update = [this] {
     measure();
     Q_EMIT changed();
-  });
+  };
+  connect(&inspection_, &Inspection::frame_ready, this, update);
+  connect(&reading_, &BackgroundWork::finished, this, update);
+  connect(&measuring_, &BackgroundWork::finished, this, update);
   connect(&inspection_, &Inspection::state_changed, this, [this] {
     follow();
     Q_EMIT changed();
   });
-  connect(&reading_, &BackgroundWork::finished, this, [this] {
-    measure();
-    Q_EMIT changed();
-  });
-  connect(&measuring_, &BackgroundWork::finished, this, [this] {
-    measure();
-    Q_EMIT changed();
-  });
 }
-
-FingerPair::~FingerPair() = default;
 
 void FingerPair::set_first(const fs::path& finger) {
   if (folders_[0] == finger) return;
@@ -69,10 +61,7 @@ void FingerPair::open(const std::optional<SecondFinger>& second) {
 void FingerPair::follow() {
   const auto &own = first_.recording(), &other = inspection_.recording();
   if (!is_open() || !own || !other || !first_.frame()) return;
-  static const FrameTimes kNone;
-  const MatchedFrame partner =
-      match_frame(first_.frame()->number, own->times_ns ? *own->times_ns : kNone,
-                  other->times_ns ? *other->times_ns : kNone, other->count);
+  const MatchedFrame partner = matched_frame(first_.frame()->number, *own, *other);
   const bool is_new = partner.number != partner_.number;
   partner_ = partner;
   if (is_new) inspection_.show_frame(partner.number);
@@ -115,35 +104,33 @@ bool FingerPair::has_both_poses() const {
          second->gripper_from_camera;
 }
 
-RigidTransform FingerPair::pose(bool is_second) const {
-  return *mount(is_second)->gripper_from_camera;
-}
-
 std::optional<FramePair> FingerPair::frames() const {
   const auto &own = first_.frame(), &other = inspection_.frame();
   if (!is_open() || !own || !other || !own->surface || !other->surface) return std::nullopt;
-  return FramePair{own, other};
+  FramePair frames{own, other};
+  if (has_both_poses())
+    frames.poses = {*mount(false)->gripper_from_camera, *mount(true)->gripper_from_camera};
+  if (is_measured(frames)) frames.gap = measured_.gap;
+  return frames;
+}
+
+bool FingerPair::is_measured(const FramePair& frames) const {
+  return frames.poses && measured_.first == frames.first && measured_.second == frames.second &&
+         measured_.poses == frames.poses;
 }
 
 std::optional<NearestPoints> FingerPair::gap() const {
   const auto now = frames();
-  if (!now || !measured_ || !has_both_poses() || !(measured_->frames == *now) ||
-      measured_->poses != std::array{pose(false), pose(true)})
-    return std::nullopt;
-  return measured_->gap;
+  return now ? now->gap : std::nullopt;
 }
 
 void FingerPair::measure() {
   const auto now = frames();
-  if (!now || !has_both_poses() || measuring_.is_running()) return;
-  const std::array poses{pose(false), pose(true)};
-  if (measured_ && measured_->frames == *now && measured_->poses == poses) return;
-  measuring_.start([this, frames = *now, poses](const Job&) {
-    const auto gap = nearest_points({contact_face(*frames.first->surface), poses[0]},
-                                    {contact_face(*frames.second->surface), poses[1]});
-    return std::function<void()>([this, frames, poses, gap] {
-      measured_ = Measured{frames, poses, gap};
-    });
+  if (!now || !now->poses || is_measured(*now) || measuring_.is_running()) return;
+  measuring_.start([this, frames = *now](const Job&) mutable {
+    frames.gap = nearest_points({contact_face(*frames.first->surface), (*frames.poses)[0]},
+                                {contact_face(*frames.second->surface), (*frames.poses)[1]});
+    return std::function<void()>([this, frames] { measured_ = frames; });
   });
 }
 
@@ -171,9 +158,9 @@ PairBox::PairBox(const FingerPair& pair, QWidget* parent)
       close_(new QPushButton),
       pose_first_(new QPushButton),
       pose_second_(new QPushButton),
-      names_(new QLabel),
-      joined_(new QLabel),
-      gap_(new QLabel) {
+      names_(wrapped_label()),
+      joined_(wrapped_label()),
+      gap_(wrapped_text()) {
   auto* grid = new QGridLayout(this);
   grid->addWidget(names_, 0, 0, 2, 1);
   grid->addWidget(close_, 0, 1);
@@ -181,8 +168,6 @@ PairBox::PairBox(const FingerPair& pair, QWidget* parent)
   grid->addWidget(pose_second_, 2, 1);
   grid->addWidget(gap_, 3, 0, 1, 2);
   grid->addWidget(joined_, 4, 0, 1, 2);
-  for (QLabel* label : {names_, joined_, gap_}) label->setWordWrap(true);
-  gap_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   connect(open_, &QPushButton::clicked, this, &PairBox::open_requested);
   connect(close_, &QPushButton::clicked, this, &PairBox::close_requested);
   connect(pose_first_, &QPushButton::clicked, this, [this] { Q_EMIT pose_requested(false); });
@@ -235,8 +220,9 @@ QString PairBox::joined_text() const {
 }
 
 QString PairBox::gap_text() const {
-  if (!pair_.has_both_poses() || !pair_.frames()) return {};
-  const auto gap = pair_.gap();
+  const auto frames = pair_.frames();
+  if (!frames || !frames->poses) return {};
+  const auto& gap = frames->gap;
   if (!gap) return tr("Measuring the distance…");
   const double apart_mm = gap->distance();
   if (apart_mm < 0.005) return tr("<b>The faces touch or intersect.</b>");
@@ -252,7 +238,7 @@ QString PairBox::gap_text() const {
 
 SecondFingerDialog::SecondFingerDialog(const std::optional<SecondFinger>& now, QWidget* parent)
     : FittedDialog(parent),
-      intro_(new QLabel),
+      intro_(wrapped_label()),
       finger_label_(new QLabel),
       recording_label_(new QLabel),
       missing_(new QLabel),
@@ -263,7 +249,6 @@ SecondFingerDialog::SecondFingerDialog(const std::optional<SecondFinger>& now, Q
       choose_folder_(new QPushButton),
       buttons_(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel)) {
   auto* column = new QVBoxLayout(this);
-  intro_->setWordWrap(true);
   column->addWidget(intro_);
   auto* grid = new QGridLayout;
   grid->addWidget(finger_label_, 0, 0);
@@ -289,12 +274,20 @@ SecondFingerDialog::SecondFingerDialog(const std::optional<SecondFinger>& now, Q
   }
   for (QLineEdit* line : {finger_, recording_})
     connect(line, &QLineEdit::textChanged, this, &SecondFingerDialog::show_missing);
-  connect(choose_finger_, &QPushButton::clicked, this,
-          [this] { choose(finger_, true, tr("The second finger's folder")); });
-  connect(choose_video_, &QPushButton::clicked, this,
-          [this] { choose(recording_, false, tr("The second finger's video")); });
-  connect(choose_folder_, &QPushButton::clicked, this,
-          [this] { choose(recording_, true, tr("Image folder of the second finger")); });
+  connect(choose_finger_, &QPushButton::clicked, this, [this] {
+    ask_for_folder(
+        this, tr("The second finger's folder"),
+        [this](const QString& folder) { finger_->setText(folder); }, finger_->text());
+  });
+  const auto take_recording = [this](const QString& path) { recording_->setText(path); };
+  connect(choose_video_, &QPushButton::clicked, this, [this, take_recording] {
+    ask_for_file(this, tr("The second finger's video"), tr("Videos (*.mkv *.avi *.mp4)"),
+                 take_recording, recording_->text());
+  });
+  connect(choose_folder_, &QPushButton::clicked, this, [this, take_recording] {
+    ask_for_folder(this, tr("Image folder of the second finger"), take_recording,
+                   recording_->text());
+  });
   connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
   connect(buttons_, &QDialogButtonBox::accepted, this, [this] {
     Q_EMIT chosen(
@@ -318,15 +311,6 @@ SecondFingerDialog::SecondFingerDialog(const std::optional<SecondFinger>& now, Q
     buttons_->button(QDialogButtonBox::Cancel)->setText(tr("Cancel"));
     show_missing();
   });
-}
-
-void SecondFingerDialog::choose(QLineEdit* line, bool is_folder, const QString& title) {
-  auto* dialog = new QFileDialog(this, title, line->text(),
-                                 is_folder ? QString() : tr("Videos (*.mkv *.avi *.mp4)"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(is_folder ? QFileDialog::Directory : QFileDialog::ExistingFile);
-  connect(dialog, &QFileDialog::fileSelected, line, &QLineEdit::setText);
-  dialog->show();
 }
 
 void SecondFingerDialog::show_missing() {
@@ -365,7 +349,7 @@ GripperDialog::GripperDialog(const QString& finger, const std::optional<RigidTra
     : FittedDialog(parent),
       finger_(finger),
       now_(now),
-      intro_(new QLabel),
+      intro_(wrapped_label()),
       at_label_(new QLabel),
       turn_label_(new QLabel),
       at_{field(10000, 2), field(10000, 2), field(10000, 2)},
@@ -373,7 +357,6 @@ GripperDialog::GripperDialog(const QString& finger, const std::optional<RigidTra
       forget_(new QPushButton),
       buttons_(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel)) {
   auto* column = new QVBoxLayout(this);
-  intro_->setWordWrap(true);
   column->addWidget(intro_);
   auto* grid = new QGridLayout;
   int row = 0;

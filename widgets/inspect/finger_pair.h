@@ -31,19 +31,12 @@ struct FingerMount {
   std::optional<RigidTransform> gripper_from_camera;
 };
 
-/// Two frames, each of one finger.
-struct FramePair {
-  std::shared_ptr<const InspectedFrame> first, second;  ///< both with a surface
-  bool operator==(const FramePair&) const = default;
-};
-
 /// Belongs to the window's thread; reads, writes and measures on background threads.
 class FingerPair : public QObject {
   Q_OBJECT
  public:
   /// `first` outlives it.
   explicit FingerPair(const Inspection& first, QObject* parent = nullptr);
-  ~FingerPair() override;
 
   /// Empty: no finger with a folder.
   void set_first(const std::filesystem::path& finger);
@@ -62,11 +55,11 @@ class FingerPair : public QObject {
   [[nodiscard]] QString name(bool is_second) const;
   /// Both gripper poses are known.
   [[nodiscard]] bool has_both_poses() const;
-  /// The present frames; null where one of them has no face.
+  /// The present frames, both with a surface, and their gap once it is measured; nullopt where one
+  /// of them has no face.
   [[nodiscard]] std::optional<FramePair> frames() const;
   [[nodiscard]] const MatchedFrame& partner() const { return partner_; }
-  /// Shortest distance between the faces of frames(), gripper frame; none while it is being
-  /// measured.
+  /// FramePair::gap of frames().
   [[nodiscard]] std::optional<NearestPoints> gap() const;
   /// Why a file could not be read or written.
   [[nodiscard]] std::optional<Error> problem() const;
@@ -81,7 +74,7 @@ class FingerPair : public QObject {
  private:
   void read_mounts();
   void measure();
-  [[nodiscard]] RigidTransform pose(bool is_second) const;
+  [[nodiscard]] bool is_measured(const FramePair& frames) const;
 
   const Inspection& first_;
   Inspection inspection_;
@@ -90,12 +83,7 @@ class FingerPair : public QObject {
   std::map<std::filesystem::path, FingerMount> mounts_;
   std::optional<Error> read_problem_;
   MatchedFrame partner_;
-  struct Measured {
-    FramePair frames;
-    std::array<RigidTransform, 2> poses;
-    std::optional<NearestPoints> gap;
-  };
-  std::optional<Measured> measured_;
+  FramePair measured_;  // frames, poses and gap of the last measurement
   std::shared_ptr<DiskQueue> disk_ = std::make_shared<DiskQueue>();
   BackgroundWork reading_, measuring_;
 };
@@ -137,7 +125,6 @@ class SecondFingerDialog : public FittedDialog {
   void chosen(const alltact::SecondFinger& second);
 
  private:
-  void choose(QLineEdit* line, bool is_folder, const QString& title);
   void show_missing();
 
   QLabel *intro_, *finger_label_, *recording_label_, *missing_;

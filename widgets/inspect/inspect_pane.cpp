@@ -5,7 +5,6 @@
 #include "widgets/inspect/inspected_frame.h"
 #include "widgets/widget_base.h"
 
-#include <QCoreApplication>
 #include <QCursor>
 #include <QFontMetricsF>
 #include <QImage>
@@ -22,16 +21,14 @@ namespace alltact {
 InspectPane::InspectPane(PaneContent content, QWidget* parent)
     : Translated(parent),
       content_(content),
-      title_(new QLabel),
+      title_(wrapped_label()),
       pointer_label_(new QLabel(this)),
       stack_(new QStackedWidget),
       map_(new ImageView) {
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
+  auto* layout = without_margins(new QVBoxLayout(this));
   layout->addWidget(title_);
   layout->addWidget(stack_, 1);
   title_->hide();
-  title_->setWordWrap(true);
   pointer_label_->hide();
   pointer_label_->setAttribute(Qt::WA_TransparentForMouseEvents);
   pointer_label_->setAutoFillBackground(true);
@@ -84,19 +81,8 @@ void InspectPane::set_options(const InspectOptions& options) {
   show_all();
 }
 
-void InspectPane::show_frame(std::shared_ptr<const InspectedFrame> frame) {
-  frame_ = std::move(frame);
-  in_gripper_.reset();
-  show_all();
-}
-
-void InspectPane::show_pair(const FingerPair& pair) {
-  const auto frames = pair.frames();
-  frame_ = frames->first;
-  in_gripper_ =
-      InGripper{frames->second,
-                {*pair.mount(false)->gripper_from_camera, *pair.mount(true)->gripper_from_camera},
-                pair.gap()};
+void InspectPane::show_frames(const FramePair& frames) {
+  frames_ = frames;
   show_all();
 }
 
@@ -117,15 +103,15 @@ void InspectPane::show_at_pointer(const QString& text) {
 }
 
 void InspectPane::show_message(const QString& message) {
-  frame_.reset();
-  in_gripper_.reset();
+  frames_ = {};
   message_ = message;
   show_all();
 }
 
 void InspectPane::show_all() {
   if (!isVisible()) return;
-  const bool has_face = frame_ && (frame_->surface || frame_->bare) && !waits_for_other();
+  const bool has_face =
+      frames_.first && (frames_.first->surface || frames_.first->bare) && !waits_for_other();
   if (options_.shown_as == ShownAs::k3d && has_face) make_face_pane();
   if (options_.shown_as == ShownAs::k3d && has_face && face_ != nullptr)
     show_3d();
@@ -135,17 +121,14 @@ void InspectPane::show_all() {
 
 /// The compared measurement is not finished: the primary depth under its title would mislead.
 bool InspectPane::waits_for_other() const {
-  return frame_ && content_ != PaneContent::kFirst && !in_gripper_ && frame_->surface &&
-         !frame_->other_surface;
+  return frames_.first && content_ != PaneContent::kFirst && !frames_.second &&
+         frames_.first->surface && !frames_.first->other_surface;
 }
 
 void InspectPane::show_3d() {
   FaceScene& scene = face_->change();
-  scene.set_gap(in_gripper_ ? in_gripper_->gap : std::nullopt);
-  show_in(scene, *frame_, content_,
-          in_gripper_ ? std::optional(OtherInGripper{in_gripper_->second, in_gripper_->poses})
-                      : std::nullopt);
-  scene.set_marks(marks_of(*frame_, options_));
+  show_in(scene, frames_, content_);
+  scene.set_marks(marks_of(*frames_.first, options_));
   stack_->setCurrentWidget(face_);
   face_->update_pointer();
 }
@@ -153,26 +136,27 @@ void InspectPane::show_3d() {
 void InspectPane::show_map() {
   stack_->setCurrentWidget(map_);
   pointer_label_->hide();
-  if (!frame_) return map_->show_message(message_);
+  if (!frames_.first) return map_->show_message(message_);
   if (waits_for_other())
-    return map_->show_message(frame_->other_problem || frame_->other
+    return map_->show_message(frames_.first->other_problem || frames_.first->other
                                   ? tr("There is nothing to compare with in this frame.")
                                   : tr("The frame is being measured again for the comparison."));
   const bool is_difference = content_ == PaneContent::kDifference;
-  const FrameResult& result =
-      content_ == PaneContent::kSecond && frame_->other ? *frame_->other : frame_->result;
+  const FrameResult& result = content_ == PaneContent::kSecond && frames_.first->other
+                                  ? *frames_.first->other
+                                  : frames_.first->result;
   std::vector<Overlay> overlays;
   if (result.depth) {
-    const cv::Mat& value = is_difference ? frame_->difference_mm : result.depth->depth_mm;
+    const cv::Mat& value = is_difference ? frames_.first->difference_mm : result.depth->depth_mm;
     const ColourScale scale = is_difference ? difference_scale(options_.scene.difference_top_mm)
                                             : depth_scale(options_.scene.top_mm);
     overlays.push_back(layer_overlay(height_layer(value, scale)));
     const cv::Mat limits =
         // Limits apply to the frame's own depth.
-        content_ == PaneContent::kFirst ? frame_->limits : cv::Mat();
+        content_ == PaneContent::kFirst ? frames_.first->limits : cv::Mat();
     if (!limits.empty()) overlays.push_back(layer_overlay(limits_layer(limits)));
     overlays.push_back(
-        points_overlay(pixel_of(*frame_, options_.a), pixel_of(*frame_, options_.b)));
+        points_overlay(pixel_of(*frames_.first, options_.a), pixel_of(*frames_.first, options_.b)));
     overlays.push_back(
         colour_bar_overlay(scale, is_difference ? tr("Difference, mm") : tr("Depth, mm"),
                            limits.empty() ? std::vector<LegendLine>() : limits_legend(limits)));
@@ -203,7 +187,7 @@ bool InspectPane::eventFilter(QObject* watched, QEvent* event) {
   constexpr double kStill = 3;
   if (event->type() == QEvent::MouseButtonPress)
     pressed_ = static_cast<QMouseEvent*>(event)->position();
-  if (event->type() == QEvent::MouseButtonRelease && pressed_ && frame_) {
+  if (event->type() == QEvent::MouseButtonRelease && pressed_ && frames_.first) {
     const auto* mouse = static_cast<QMouseEvent*>(event);
     if ((mouse->position() - *pressed_).manhattanLength() <= kStill)
       Q_EMIT clicked(
@@ -242,8 +226,12 @@ FacePane::FacePane(QWidget* parent)
   connect(&resting_, &QTimer::timeout, this, [this] {
     if (scene_->set_moving(false)) draw_later();
   });
-  connect(this, &FacePane::view_changed, this, &FacePane::begin_motion);
-  connect(&pointing_, &QTimer::timeout, this, &FacePane::report_pointed_at);
+  connect(this, &FacePane::view_changed, this, [this] {
+    scene_->set_moving(true);
+    resting_.start();
+  });
+  connect(&pointing_, &QTimer::timeout, this,
+          [this] { Q_EMIT pointed_at(pointer_ ? pixel_at(*pointer_) : std::nullopt); });
   say([this] { setAccessibleName(tr("Face in 3D")); });
 }
 
@@ -260,17 +248,8 @@ std::optional<QPointF> FacePane::pixel_at(QPointF point) const {
   return pixel ? std::optional(QPointF(pixel->x, pixel->y)) : std::nullopt;
 }
 
-void FacePane::begin_motion() {
-  scene_->set_moving(true);
-  resting_.start();
-}
-
 void FacePane::update_pointer() {
   if (!pointing_.isActive()) pointing_.start();
-}
-
-void FacePane::report_pointed_at() {
-  Q_EMIT pointed_at(pointer_ ? pixel_at(*pointer_) : std::nullopt);
 }
 
 void FacePane::apply_appearance() {
@@ -388,22 +367,18 @@ const std::array<Pattern, 4> kPatterns{
       [](int u, int v) { return (u + 6) % 12 < 2 && (v + 6) % 12 < 2; }},
      {kSteep, {120, 120, 120, 120}, [](int u, int v) { return u % 6 == 3 && v % 6 == 3; }}}};
 
-struct LimitWords {
-  Q_DECLARE_TR_FUNCTIONS(alltact::LimitWords)
- public:
-  static QString of(std::uint8_t limits) {
-    switch (limits) {
-      case kDepthClamped:
-        return tr("at the layer's limit");
-      case kOutOfRange:
-        return tr("beyond the calibrated range");
-      case kDoubtfulLight:
-        return tr("doubtful light");
-      default:
-        return tr("steep: position matters");
-    }
+QString limit_text(std::uint8_t limits) {
+  switch (limits) {
+    case kDepthClamped:
+      return InspectPane::tr("at the layer's limit");
+    case kOutOfRange:
+      return InspectPane::tr("beyond the calibrated range");
+    case kDoubtfulLight:
+      return InspectPane::tr("doubtful light");
+    default:
+      return InspectPane::tr("steep: position matters");
   }
-};
+}
 
 void draw_point(QPainter& painter, QPointF at, const QString& letter) {
   constexpr double kRadius = 6;
@@ -482,7 +457,7 @@ std::vector<LegendLine> limits_legend(const cv::Mat& limits) {
         if (pattern.is_drawn(u, v))
           tile.setPixel(u, v,
                         qRgba(pattern.bgra[2], pattern.bgra[1], pattern.bgra[0], pattern.bgra[3]));
-    legend.push_back({QBrush(tile), LimitWords::of(pattern.limits)});
+    legend.push_back({QBrush(tile), limit_text(pattern.limits)});
   }
   return legend;
 }

@@ -4,7 +4,6 @@
 #include "core/image/colour_map.h"
 #include "widgets/image/image_view.h"
 #include "widgets/image/overlays.h"
-#include "widgets/inspect/finger_pair.h"
 #include "widgets/inspect/inspected_frame.h"
 #include "widgets/scene3d/face_scene.h"
 #include "widgets/scene3d/vtk_view.h"
@@ -60,8 +59,6 @@ class FacePane : public Translated<VtkView> {
 
  private:
   void apply_appearance();
-  void begin_motion();
-  void report_pointed_at();
   [[nodiscard]] std::optional<QPointF> pixel_at(QPointF point) const;
   std::unique_ptr<FaceScene> scene_;
   std::optional<QPointF> pointer_;  // its position while no button is pressed
@@ -83,9 +80,8 @@ class InspectPane : public Translated<QWidget> {
 
   void set_content(PaneContent content);
   void set_options(const InspectOptions& options);
-  void show_frame(std::shared_ptr<const InspectedFrame> frame);
-  /// In 3D both fingers in the gripper's frame; as a height map the first.
-  void show_pair(const FingerPair& pair);
+  /// A joint pair: in 3D both fingers in the gripper's frame; as a height map the first.
+  void show_frames(const FramePair& frames);
   /// Text at the pointer while it is over the face; empty: none.
   void show_at_pointer(const QString& text);
   /// Instead of a frame: why there is none.
@@ -122,15 +118,9 @@ class InspectPane : public Translated<QWidget> {
   [[nodiscard]] bool waits_for_other() const;
   void apply_look();
 
-  struct InGripper {
-    std::shared_ptr<const InspectedFrame> second;
-    std::array<RigidTransform, 2> poses;
-    std::optional<NearestPoints> gap;
-  };
   PaneContent content_;
   InspectOptions options_;
-  std::shared_ptr<const InspectedFrame> frame_;
-  std::optional<InGripper> in_gripper_;
+  FramePair frames_;  // with a second one only in the gripper's frame
   QString message_;
   QLabel *title_, *pointer_label_;
   QStackedWidget* stack_;

@@ -22,12 +22,10 @@ InspectSide::InspectSide(QWidget* parent)
       section_group_(new QGroupBox),
       section_(new SectionPlot),
       surface_(new SurfaceBox) {
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
+  auto* column = without_margins(new QVBoxLayout(this));
   section_->setMinimumHeight(190);
   (new QVBoxLayout(section_group_))->addWidget(section_);
-  for (QWidget* part : std::initializer_list<QWidget*>{view_, points_, section_group_, surface_})
-    column->addWidget(part);
+  add_widgets(*column, {view_, points_, section_group_, surface_});
   column->addStretch();
   connect(view_, &ViewBox::changed, this, &InspectSide::changed);
   connect(points_, &PointsBox::changed, this, &InspectSide::changed);
@@ -64,7 +62,8 @@ void InspectSide::measure() {
 
 namespace {
 
-enum MergeId { kTop = 2001, kTimes, kDifferenceTop, kFrameNumber };
+// Merge ids of the fields' undo steps.
+constexpr int kTop = 2001, kTimes = 2002, kDifferenceTop = 2003, kFrameNumber = 2004;
 
 NumberField* spin(double low, double high, double step, int decimals) {
   auto* box = new NumberField;

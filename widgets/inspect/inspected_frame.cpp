@@ -52,14 +52,28 @@ std::optional<Profile> other_profile(const InspectedFrame& frame, const FacePosi
   return profile_between(*frame.other, frame.face, {}, {from->x(), from->y()}, {to->x(), to->y()});
 }
 
-void show_in(FaceScene& scene, const InspectedFrame& frame, PaneContent content,
-             const std::optional<OtherInGripper>& other) {
+MatchedFrame matched_frame(std::size_t number, const RecordingInfo& first,
+                           const RecordingInfo& second) {
+  static const FrameTimes kNone;
+  return match_frame(number, first.times_ns ? *first.times_ns : kNone,
+                     second.times_ns ? *second.times_ns : kNone, second.count);
+}
+
+bool FramePair::has_face() const {
+  const auto is_shown = [](const auto& frame) { return frame && (frame->surface || frame->bare); };
+  if (!poses) return is_shown(first) && (!second || is_shown(second));
+  return first && second && first->surface && second->surface;
+}
+
+void show_in(FaceScene& scene, const FramePair& frames, PaneContent content) {
+  scene.set_gap(frames.is_joint() ? frames.gap : std::nullopt);
+  const InspectedFrame& frame = *frames.first;
   const bool has_other = frame.other_surface.has_value();
   if (frame.bare)
     scene.show(*frame.bare, *frame.camera);
-  else if (other)
-    scene.show_in_gripper({*frame.surface, *frame.camera, other->poses[0]},
-                          {*other->frame->surface, *other->frame->camera, other->poses[1]});
+  else if (frames.is_joint())
+    scene.show_in_gripper({*frame.surface, *frame.camera, (*frames.poses)[0]},
+                          {*frames.second->surface, *frames.second->camera, (*frames.poses)[1]});
   else if (content == PaneContent::kDifference && has_other)
     scene.show_difference(*frame.surface, frame.other_depth_mm, *frame.camera);
   else if (content == PaneContent::kSecond && has_other)

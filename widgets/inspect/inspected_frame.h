@@ -2,7 +2,10 @@
 #pragma once
 
 #include "calibration/live/frame_measurer.h"
+#include "core/geometry/rigid_transform.h"
+#include "core/geometry/surface_distance.h"
 #include "core/sensing/surface_measurement.h"
+#include "core/sources/file_source.h"
 #include "widgets/scene3d/face_scene.h"
 #include "widgets/scene3d/face_surface.h"
 
@@ -96,18 +99,30 @@ struct FrameSummary {
 /// The pixel with the nearest centre.
 [[nodiscard]] cv::Point2d nearest_pixel(cv::Point2d pixel);
 
+/// Frame of `second` that belongs to a frame of `first`; see match_frame().
+[[nodiscard]] MatchedFrame matched_frame(std::size_t number, const RecordingInfo& first,
+                                         const RecordingInfo& second);
+
 // Fills a 3D scene with the inspected faces, for the window, films and images.
 
-/// A second finger in the same scene; gripper_from_camera of both cameras.
-struct OtherInGripper {
-  std::shared_ptr<const InspectedFrame> frame;
-  std::array<RigidTransform, 2> poses;
+/// Frames of one or two fingers at one moment.
+struct FramePair {
+  std::shared_ptr<const InspectedFrame> first = {};
+  std::shared_ptr<const InspectedFrame> second = {};  ///< null without a second finger
+  /// gripper_from_camera of both fingers, for one joint view; empty: they are shown side by side.
+  std::optional<std::array<RigidTransform, 2>> poses = {};
+  /// Shortest distance between the faces, gripper frame; empty: not measured.
+  std::optional<NearestPoints> gap = {};
+  std::optional<ViewPose> view_pose = {};  ///< for a film; empty: as in its options
+
+  [[nodiscard]] bool is_joint() const { return second && poses; }
+  /// All that it shows has a face.
+  [[nodiscard]] bool has_face() const;
 };
 
-/// The frame has a surface, or a bare one. Without a compared surface, kSecond and kDifference are
-/// shown as kFirst.
-void show_in(FaceScene& scene, const InspectedFrame& frame, PaneContent content,
-             const std::optional<OtherInGripper>& other);
+/// The first frame has a surface, or a bare one; in a joint pair both have a surface. Without a
+/// compared surface, kSecond and kDifference are shown as kFirst.
+void show_in(FaceScene& scene, const FramePair& frames, PaneContent content);
 
 /// The points, and the path over the face between them.
 [[nodiscard]] SceneMarks marks_of(const InspectedFrame& frame, const InspectOptions& options);

@@ -9,7 +9,6 @@
 #include "widgets/theme.h"
 
 #include <QClipboard>
-#include <QCoreApplication>
 #include <QGridLayout>
 #include <QGuiApplication>
 #include <QHBoxLayout>
@@ -24,7 +23,7 @@
 namespace alltact {
 namespace {
 
-enum PointMergeId { kPointA = 2011 };  // ids of the four fields
+constexpr int kPointA = 2011;  // merge ids of the four fields follow
 // One digit more would widen the column.
 constexpr double kNotChosen_mm = -999, kFurthest_mm = 999;
 
@@ -47,7 +46,7 @@ PointsBox::PointsBox(QWidget* parent)
       across_(new QPushButton),
       along_(new QPushButton),
       clear_(new QPushButton),
-      reading_(new QLabel) {
+      reading_(wrapped_text()) {
   deepest_->setObjectName(QStringLiteral("deepest"));
   across_->setObjectName(QStringLiteral("across"));
   auto* grid = new QGridLayout(this);
@@ -66,8 +65,6 @@ PointsBox::PointsBox(QWidget* parent)
   buttons->addWidget(across_, 1, 0);
   buttons->addWidget(along_, 1, 1);
   grid->addLayout(buttons, row++, 0, 1, 3);
-  reading_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  reading_->setWordWrap(true);
   constexpr int kLines = 7;  // constant height while points come and go
   reading_->setMinimumHeight(kLines * reading_->fontMetrics().lineSpacing());
   reading_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
@@ -224,102 +221,75 @@ void PointsBox::show_reading() {
 
 namespace {
 
-struct ReadingWords {
-  Q_DECLARE_TR_FUNCTIONS(alltact::ReadingWords)
- public:
-  static QString number(double value, int digits = 2) { return plain_number(value, digits); }
+QString hundredths(double value) { return plain_number(value, 2); }
 
-  /// Limits of the depth, appended to its number; bits of DepthLimit.
-  static QString limits(std::uint8_t limits) {
-    QStringList words;
-    if ((limits & kLayerLimit) != 0) words << tr("at the layer's limit");
-    if ((limits & kBulgeTop) != 0) words << tr("a bulge at the layer's limit");
-    if ((limits & kOutOfRange) != 0) words << tr("beyond the calibrated range");
-    if ((limits & kSteep) != 0) words << tr("steep: one pixel further changes it by more");
-    if ((limits & kDoubtfulLight) != 0) words << tr("doubtful light");
-    return words.isEmpty() ? QString() : tr(" (%1)").arg(joined(words));
-  }
+/// Limits of the depth, appended to its number; bits of DepthLimit.
+QString limits_text(std::uint8_t limits) {
+  QStringList words;
+  if ((limits & kLayerLimit) != 0) words << PointsBox::tr("at the layer's limit");
+  if ((limits & kBulgeTop) != 0) words << PointsBox::tr("a bulge at the layer's limit");
+  if ((limits & kOutOfRange) != 0) words << PointsBox::tr("beyond the calibrated range");
+  if ((limits & kSteep) != 0) words << PointsBox::tr("steep: one pixel further changes it by more");
+  if ((limits & kDoubtfulLight) != 0) words << PointsBox::tr("doubtful light");
+  return words.isEmpty() ? QString() : PointsBox::tr(" (%1)").arg(joined(words));
+}
 
-  static QString depth(const InspectedFrame& frame, const FaceSample& position) {
-    if (!position.depth_mm) {
-      if (position.flag == kTooDark) return tr("no depth: too dark");
-      if (position.flag == kSaturated) return tr("no depth: too bright");
-      return tr("no depth: near the face's edge");
-    }
-    const QString text = is_at_limit(position.flag)
-                             ? limit_and_sd(*position.depth_mm, position.sd_mm, 2)
-                             : number_and_sd(*position.depth_mm, position.sd_mm, 2);
-    return tr("depth %1 mm").arg(text) + limits(limits_at(frame, position));
-  }
+std::uint8_t limits_at(const InspectedFrame& frame, const FaceSample& position) {
+  const int u = static_cast<int>(std::lround(position.pixel.x));
+  const int v = static_cast<int>(std::lround(position.pixel.y));
+  const bool is_known = cv::Rect({}, frame.limits.size()).contains({u, v});
+  return static_cast<std::uint8_t>(limit_of_flag(position.flag) |
+                                   (is_known ? frame.limits.at<std::uint8_t>(v, u) : 0));
+}
 
-  static std::uint8_t limits_at(const InspectedFrame& frame, const FaceSample& position) {
-    const int u = static_cast<int>(std::lround(position.pixel.x));
-    const int v = static_cast<int>(std::lround(position.pixel.y));
-    const bool is_known = cv::Rect({}, frame.limits.size()).contains({u, v});
-    return static_cast<std::uint8_t>(limit_of_flag(position.flag) |
-                                     (is_known ? frame.limits.at<std::uint8_t>(v, u) : 0));
+QString depth_text(const InspectedFrame& frame, const FaceSample& position) {
+  if (!position.depth_mm) {
+    if (position.flag == kTooDark) return PointsBox::tr("no depth: too dark");
+    if (position.flag == kSaturated) return PointsBox::tr("no depth: too bright");
+    return PointsBox::tr("no depth: near the face's edge");
   }
+  const QString text = is_at_limit(position.flag)
+                           ? limit_and_sd(*position.depth_mm, position.sd_mm, 2)
+                           : number_and_sd(*position.depth_mm, position.sd_mm, 2);
+  return PointsBox::tr("depth %1 mm").arg(text) + limits_text(limits_at(frame, position));
+}
 
-  static QString position(const InspectedFrame& frame, const QString& name,
-                          const FacePosition& at_mm) {
-    const auto pixel = pixel_of(frame, at_mm);
-    const auto found =
-        pixel ? sample_face(frame.result, frame.face, frame.sd_mm, *pixel) : std::nullopt;
-    if (!found) return tr("<b>%1</b>: off the face").arg(name);
-    const Eigen::Vector3d at = found->point_mm();
-    return tr("<b>%1</b>: x %2, y %3, z %4 mm")
-               .arg(name, number(at.x()), number(at.y()), number(at.z())) +
-           QStringLiteral("<br>") + depth(frame, *found);
-  }
+QString position_text(const InspectedFrame& frame, const QString& name, const FacePosition& at_mm) {
+  const auto pixel = pixel_of(frame, at_mm);
+  const auto found =
+      pixel ? sample_face(frame.result, frame.face, frame.sd_mm, *pixel) : std::nullopt;
+  if (!found) return PointsBox::tr("<b>%1</b>: off the face").arg(name);
+  const Eigen::Vector3d at = found->point_mm();
+  return PointsBox::tr("<b>%1</b>: x %2, y %3, z %4 mm")
+             .arg(name, hundredths(at.x()), hundredths(at.y()), hundredths(at.z())) +
+         QStringLiteral("<br>") + depth_text(frame, *found);
+}
 
-  static QString apart(const InspectedFrame& frame, const FacePosition& from,
-                       const FacePosition& to) {
-    const auto a = pixel_of(frame, from), b = pixel_of(frame, to);
-    if (!a || !b) return {};
-    const auto distance = distance_between(frame.result, frame.face, *a, *b);
-    if (!distance) return {};
-    const Eigen::Vector3d& by = distance->apart_mm;
-    return tr("<b>A to B</b>: %1 mm straight, %2 mm along the face")
-               .arg(number(distance->straight_mm), number(distance->along_face_mm)) +
-           QStringLiteral("<br>") +
-           tr("offset x %1, y %2, z %3 mm").arg(number(by.x()), number(by.y()), number(by.z()));
-  }
-
-  static QString deepest(const ContactRegion& region) {
-    const Eigen::Vector3d& at = region.position_mm;
-    const QString deepest = (region.limits & kLayerLimit) != 0
-                                ? limit_and_sd(region.deepest_mm, {}, 2)
-                                : number(region.deepest_mm);
-    return tr("Deepest %1 mm; contact at x %2, y %3, z %4 mm.")
-        .arg(deepest, number(at.x(), 1), number(at.y(), 1), number(at.z(), 1));
-  }
-
-  static ProbeText probe(const InspectedFrame& frame, const FaceSample& position) {
-    const Eigen::Vector2d on_face =
-        frame.result.shape->position_mm(position.pixel.x, position.pixel.y);
-    const Eigen::Vector3d at = position.point_mm();
-    return {frame.result.depth ? depth(frame, position) : tr("not calibrated: no depth"),
-            tr("%1 mm along, %2 mm across; x %3, y %4, z %5 mm")
-                .arg(number(on_face.x(), 1), number(on_face.y(), 1))
-                .arg(number(at.x()), number(at.y()), number(at.z()))};
-  }
-
-  static QString nothing() { return tr("Nothing presses on the face."); }
-  static QString hint() {
-    return tr("Click on the face for point A, with the right button for point B.");
-  }
-};
+QString apart_text(const InspectedFrame& frame, const FacePosition& from, const FacePosition& to) {
+  const auto a = pixel_of(frame, from), b = pixel_of(frame, to);
+  if (!a || !b) return {};
+  const auto distance = distance_between(frame.result, frame.face, *a, *b);
+  if (!distance) return {};
+  const Eigen::Vector3d& by = distance->apart_mm;
+  return PointsBox::tr("<b>A to B</b>: %1 mm straight, %2 mm along the face")
+             .arg(hundredths(distance->straight_mm), hundredths(distance->along_face_mm)) +
+         QStringLiteral("<br>") +
+         PointsBox::tr("offset x %1, y %2, z %3 mm")
+             .arg(hundredths(by.x()), hundredths(by.y()), hundredths(by.z()));
+}
 
 }  // namespace
 
 QString reading_text(const InspectedFrame& frame, const std::optional<FacePosition>& a,
                      const std::optional<FacePosition>& b) {
   QStringList parts;
-  if (a) parts << ReadingWords::position(frame, QStringLiteral("A"), *a);
-  if (b) parts << ReadingWords::position(frame, QStringLiteral("B"), *b);
-  if (a && b) parts << ReadingWords::apart(frame, *a, *b);
+  if (a) parts << position_text(frame, QStringLiteral("A"), *a);
+  if (b) parts << position_text(frame, QStringLiteral("B"), *b);
+  if (a && b) parts << apart_text(frame, *a, *b);
   parts.removeAll(QString());
-  return parts.isEmpty() ? ReadingWords::hint() : parts.join(QStringLiteral("<br>"));
+  return parts.isEmpty()
+             ? PointsBox::tr("Click on the face for point A, with the right button for point B.")
+             : parts.join(QStringLiteral("<br>"));
 }
 
 namespace {
@@ -345,22 +315,34 @@ std::optional<ProbeText> probe_text(const InspectedFrame& frame, cv::Point2d pix
   auto position = sample_face(frame.result, frame.face, frame.sd_mm, pixel);
   if (!position && !frame.result.depth) position = contact_free_reading(frame, pixel);
   if (!position) return std::nullopt;
-  return ReadingWords::probe(frame, *position);
+  const Eigen::Vector2d on_face =
+      frame.result.shape->position_mm(position->pixel.x, position->pixel.y);
+  const Eigen::Vector3d at = position->point_mm();
+  return ProbeText{
+      frame.result.depth ? depth_text(frame, *position) : PointsBox::tr("not calibrated: no depth"),
+      PointsBox::tr("%1 mm along, %2 mm across; x %3, y %4, z %5 mm")
+          .arg(plain_number(on_face.x(), 1), plain_number(on_face.y(), 1))
+          .arg(hundredths(at.x()), hundredths(at.y()), hundredths(at.z()))};
 }
 
 QString deepest_text(const InspectedFrame& frame) {
   if (!frame.result.depth) return {};
-  if (frame.result.regions.empty()) return ReadingWords::nothing();
-  return ReadingWords::deepest(frame.result.regions.front());
+  if (frame.result.regions.empty()) return PointsBox::tr("Nothing presses on the face.");
+  const ContactRegion& region = frame.result.regions.front();
+  const Eigen::Vector3d& at = region.position_mm;
+  const QString deepest = (region.limits & kLayerLimit) != 0
+                              ? limit_and_sd(region.deepest_mm, {}, 2)
+                              : hundredths(region.deepest_mm);
+  return PointsBox::tr("Deepest %1 mm; contact at x %2, y %3, z %4 mm.")
+      .arg(deepest, plain_number(at.x(), 1), plain_number(at.y(), 1), plain_number(at.z(), 1));
 }
 
 SurfaceBox::SurfaceBox(QWidget* parent)
     : Translated(parent),
-      hint_(new QLabel),
+      hint_(wrapped_label()),
       table_(new QTableWidget(0, 2)),
       copy_text_(new QPushButton),
       copy_(new QPushButton) {
-  hint_->setWordWrap(true);
   table_->horizontalHeader()->hide();
   table_->verticalHeader()->hide();
   table_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
@@ -426,20 +408,6 @@ constexpr double kPressedMm = 0.05;  // smaller depths may be noise
 constexpr int kAroundPx = 6;
 constexpr std::size_t kVolume = 3, kMean = 4;  // indices of the readings
 
-struct SurfaceWords {
-  Q_DECLARE_TR_FUNCTIONS(alltact::SurfaceWords)
- public:
-  static QString distance() { return tr("Distance A to B"); }
-  static QString radius() { return tr("Ball's radius"); }
-  static QString area() { return tr("Pressed area"); }
-  static QString volume() { return tr("Volume"); }
-  static QString mean() { return tr("Mean depth"); }
-  static QString rough() { return tr("Roughness Sq"); }
-  static QString step() { return tr("Step from A to B"); }
-  static QString angle() { return tr("Angle from A to B"); }
-  static QString none() { return tr("–"); }
-};
-
 template <class T>
 SurfaceReading reading(QString name, const char* unit, int decimals, const Result<T>& found,
                        const MeasuredValue T::*member) {
@@ -478,24 +446,23 @@ std::vector<SurfaceReading> surface_readings(const InspectedFrame& frame, cv::Po
   const SurfaceLine line =
       line_between(frame.result, frame.face, *frame.mapping, frame.smoothing_px, a, b);
   const auto step = step_height(line.patch, line.along_mm);
-  using W = SurfaceWords;
-  SurfaceReading distance{W::distance(), QStringLiteral("mm"), {}, 3, {}};
+  SurfaceReading distance{SurfaceBox::tr("Distance A to B"), QStringLiteral("mm"), {}, 3, {}};
   if (const auto apart = straight_distance(frame.result, frame.face, frame.sd_mm, a, b))
     distance.measured = *apart;
   else
     distance.reason = apart.error().what;
   std::vector<SurfaceReading> all = {
       distance,
-      reading(W::radius(), "mm", 3, ball, &FittedBall::radius_mm),
-      reading(W::area(), "mm²", 2, part, &PressedSurface::area_mm2),
-      reading(W::volume(), "mm³", 3, part, &PressedSurface::volume_mm3),
-      reading(W::mean(), "mm", 3, part, &PressedSurface::mean_mm),
-      reading(W::rough(), "mm", 4, rough, &Roughness::sq_mm),
-      reading(W::step(), "mm", 3, step, &StepHeight::height_mm)};
+      reading(SurfaceBox::tr("Ball's radius"), "mm", 3, ball, &FittedBall::radius_mm),
+      reading(SurfaceBox::tr("Pressed area"), "mm²", 2, part, &PressedSurface::area_mm2),
+      reading(SurfaceBox::tr("Volume"), "mm³", 3, part, &PressedSurface::volume_mm3),
+      reading(SurfaceBox::tr("Mean depth"), "mm", 3, part, &PressedSurface::mean_mm),
+      reading(SurfaceBox::tr("Roughness Sq"), "mm", 4, rough, &Roughness::sq_mm),
+      reading(SurfaceBox::tr("Step from A to B"), "mm", 3, step, &StepHeight::height_mm)};
   if (part && part->is_lower_bound)
     for (const std::size_t i : {kVolume, kMean}) all[i].is_lower_bound = true;
   const auto at_a = fit_plane(patch(around(a))), at_b = fit_plane(patch(around(b)));
-  SurfaceReading angle{W::angle(), QStringLiteral("°"), {}, 2, {}};
+  SurfaceReading angle{SurfaceBox::tr("Angle from A to B"), QStringLiteral("°"), {}, 2, {}};
   if (at_a && at_b)
     angle.measured = angle_deg(*at_a, *at_b);
   else
@@ -505,7 +472,7 @@ std::vector<SurfaceReading> surface_readings(const InspectedFrame& frame, cv::Po
 }
 
 QString value_text(const SurfaceReading& reading) {
-  if (!reading.measured) return SurfaceWords::none();
+  if (!reading.measured) return SurfaceBox::tr("–");
   const auto& [value, sd] = *reading.measured;
   return QStringLiteral("%1 %2").arg(reading.is_lower_bound
                                          ? limit_and_sd(value, sd, reading.decimals)

@@ -38,119 +38,20 @@ std::vector<std::filesystem::path> files_of_both(const std::filesystem::path& fi
   return files;
 }
 
-Status save_both(const std::array<PosedFrame, 2>& frames, const std::filesystem::path& file) {
+Status save_both(const FramePair& frames, const std::filesystem::path& file) {
   const auto files = files_of_both(file);
-  for (std::size_t i = 0; i < frames.size(); ++i) {
-    const InspectedFrame& frame = *frames[i].frame;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    const InspectedFrame& frame = i == 0 ? *frames.first : *frames.second;
     if (!frame.result.depth) return no_face(files[i]);
     FaceVertices vertices = contact_face_vertices(frame.result, frame.face);
     vertices.points_mm.forEach<cv::Vec3f>([&](cv::Vec3f& p, const int*) {
-      const Eigen::Vector3d at = frames[i].gripper_from_camera.point({p[0], p[1], p[2]});
+      const Eigen::Vector3d at = (*frames.poses)[i].point({p[0], p[1], p[2]});
       p = cv::Vec3d(at.x(), at.y(), at.z());
     });
     const Status status = write_surface(files[i], vertices.points_mm, vertices.depth_mm);
     if (!status) return status;
   }
   return {};
-}
-
-namespace {
-
-/// Frames of the second finger, synchronised with the first.
-class SecondFilm {
- public:
-  explicit SecondFilm(const SecondFinger& second) {
-    request_.finger = second.finger;
-    request_.input = second.recording;
-  }
-  /// Null where that frame cannot be measured. Error: the recording or the finger cannot be opened.
-  Result<std::shared_ptr<const InspectedFrame>> partner(std::size_t number,
-                                                        const RecordingInfo& first,
-                                                        const Job& job) {
-    if (!recording_) {
-      const InspectAnswer begin = inspector_(request_, job);
-      if (!begin.recording) return *begin.problem;
-      recording_ = begin.recording;
-    }
-    static const FrameTimes kNone;
-    request_.number =
-        match_frame(number, first.times_ns ? *first.times_ns : kNone,
-                    recording_->times_ns ? *recording_->times_ns : kNone, recording_->count)
-            .number;
-    return inspector_(request_, job).frame;
-  }
-
- private:
-  Inspector inspector_;
-  InspectRequest request_;
-  std::optional<RecordingInfo> recording_;
-};
-
-}  // namespace
-
-Status save_film(const FilmOptions& options, const std::filesystem::path& file, const Job& job) {
-  const InspectOptions& view = options.view.options;
-  FilmWriter writer(file, options.view);
-  Inspector inspector;
-  InspectRequest request;
-  request.finger = options.finger;
-  request.input = options.input;
-  request.other = view.comparand();
-  std::optional<SecondFilm> second;
-  if (view.second) second.emplace(*view.second);
-  for (std::size_t count = 1; request.number < count && !job.stop_requested(); ++request.number) {
-    const InspectAnswer answer = inspector(request, job);
-    if (!answer.recording) return *answer.problem;
-    if (answer.frame && answer.frame->other_problem) return *answer.frame->other_problem;
-    count = answer.recording->count;
-    job.report(static_cast<double>(request.number) / static_cast<double>(count),
-               en::say("frame {} of {}", request.number + 1, count));
-    FilmMoment moment{answer.frame, nullptr, options.poses};
-    if (second) {
-      auto partner = second->partner(request.number, *answer.recording, job);
-      if (!partner) return partner.error();
-      moment.second = std::move(*partner);
-      if (!moment.second) continue;
-    }
-    const Status status = writer.add(moment, answer.recording->frames_per_s);
-    if (!status) return status;
-  }
-  return writer.finish();
-}
-
-void FilmQueue::add(FilmMoment moment) {
-  const std::lock_guard lock(mutex_);
-  moments_.push_back(std::move(moment));
-  if (moments_.size() > kMaxMoments) {
-    moments_.pop_front();
-    ++left_out_;
-  }
-  added_.notify_one();
-}
-
-std::optional<FilmMoment> FilmQueue::next() {
-  constexpr auto kWhile = std::chrono::milliseconds(100);
-  std::unique_lock lock(mutex_);
-  if (!added_.wait_for(lock, kWhile, [this] { return !moments_.empty(); })) return std::nullopt;
-  FilmMoment moment = std::move(moments_.front());
-  moments_.pop_front();
-  return moment;
-}
-
-std::size_t FilmQueue::left_out() const {
-  const std::lock_guard lock(mutex_);
-  return left_out_;
-}
-
-Status save_live_film(FilmQueue& queue, const FilmView& view, const std::filesystem::path& file,
-                      const Job& job) {
-  constexpr double kFramesPerS = 30;  // for frames without times
-  FilmWriter writer(file, view);
-  // Moments queued before the stop are still written.
-  for (std::size_t left = FilmQueue::kMaxMoments; left > 0; left -= job.stop_requested() ? 1 : 0)
-    if (const auto moment = queue.next())
-      if (const Status status = writer.add(*moment, kFramesPerS); !status) return status;
-  return writer.finish();
 }
 
 namespace {
@@ -170,92 +71,193 @@ Frame frame_of(const cv::Mat& bgr, const Frame& from, std::size_t number) {
   return frame;
 }
 
-bool is_shown(const std::shared_ptr<const InspectedFrame>& frame) {
-  return frame && (frame->surface || frame->bare);
-}
-
-bool is_side_by_side(const FilmView& view, const FilmMoment& moment) {
+bool is_side_by_side(const FilmView& view, const FramePair& moment) {
   return moment.second ? !moment.poses : view.options.shown_comparison() == Comparison::kSideBySide;
 }
 
+/// Renders faces without a window.
+class FilmRenderer {
+ public:
+  /// Error: no OpenGL.
+  static Result<FilmRenderer> create(const FilmView& view) {
+    // Three panes are made where two fingers or measurements may be shown; a moment uses one or
+    // two.
+    const bool may_be_two =
+        view.options.second || view.options.shown_comparison() == Comparison::kSideBySide;
+    std::vector<OffscreenScene> panes;
+    const cv::Size half(view.size_px.width / 2, view.size_px.height);
+    for (const cv::Size& size :
+         may_be_two ? std::vector{view.size_px, half, half} : std::vector{view.size_px}) {
+      auto pane = OffscreenScene::create(size, view.pixels_per_unit);
+      if (!pane) return pane.error();
+      pane->scene().set_options(view.options.scene);
+      pane->scene().set_colours(view.colours);
+      pane->scene().set_viewpoint(view.options.viewpoint);
+      if (view.options.view_pose) pane->scene().set_view_pose(*view.options.view_pose);
+      panes.push_back(std::move(*pane));
+    }
+    return FilmRenderer(view, std::move(panes));
+  }
+
+  /// The moment has a face. Returns CV_8UC3, BGR.
+  cv::Mat operator()(const FramePair& moment) {
+    if (moment.view_pose && !(view_pose_ && *view_pose_ == *moment.view_pose)) {
+      view_pose_ = moment.view_pose;
+      for (OffscreenScene& pane : panes_) pane.scene().set_view_pose(*view_pose_);
+    }
+    const auto draw = [&](OffscreenScene& pane, const FramePair& shown, PaneContent content,
+                          bool has_marks = true) {
+      show_in(pane.scene(), shown, content);
+      pane.scene().set_marks(has_marks ? marks_of(*shown.first, view_.options) : SceneMarks());
+      return pane.image();
+    };
+    if (is_side_by_side(view_, moment) && panes_.size() > 1) {
+      const cv::Mat left = draw(panes_[1], {moment.first}, PaneContent::kFirst);
+      const cv::Mat right = moment.second
+                                ? draw(panes_[2], {moment.second}, PaneContent::kFirst, false)
+                                : draw(panes_[2], {moment.first}, PaneContent::kSecond);
+      cv::Mat both;
+      cv::hconcat(left, right, both);
+      return both;
+    }
+    const bool is_difference = view_.options.shown_comparison() == Comparison::kDifference;
+    return draw(panes_[0], moment, is_difference ? PaneContent::kDifference : PaneContent::kFirst);
+  }
+
+ private:
+  FilmRenderer(FilmView view, std::vector<OffscreenScene> panes)
+      : view_(std::move(view)), panes_(std::move(panes)) {}
+  FilmView view_;
+  std::vector<OffscreenScene> panes_;
+  std::optional<ViewPose> view_pose_;
+};
+
+/// A video (Matroska, Motion JPEG) that is complete whenever it ends.
+class FilmWriter {
+ public:
+  FilmWriter(std::filesystem::path file, const FilmView& view)
+      : file_(std::move(file)), view_(view) {}
+
+  /// Moments without a face are skipped. Errors: no OpenGL, those of writing.
+  [[nodiscard]] Status add(const FramePair& moment, double frames_per_s) {
+    if (!moment.has_face()) return {};
+    if (!renderer_) {
+      auto renderer = FilmRenderer::create(view_);
+      if (!renderer) return renderer.error();
+      renderer_ = std::move(*renderer);
+    }
+    const cv::Mat bgr = (*renderer_)(moment);
+    const Frame frame = frame_of(bgr, *moment.first->result.frame, written_++);
+    if (!writer_) {
+      auto made = VideoWriter::create(file_, frame, VideoCodec::kMjpeg, frames_per_s);
+      if (!made) return made.error();
+      writer_ = std::move(*made);
+    }
+    return writer_->add(frame);
+  }
+
+  /// Error: nothing was written.
+  [[nodiscard]] Status finish() {
+    if (!writer_) return Error{en::say("no frame shows a face"), file_.string(), ""};
+    return writer_->finish();
+  }
+
+ private:
+  std::filesystem::path file_;
+  FilmView view_;
+  std::optional<FilmRenderer> renderer_;
+  std::optional<VideoWriter> writer_;
+  std::size_t written_ = 0;
+};
+
+/// Frames of the second finger, synchronised with the first.
+class SecondFilm {
+ public:
+  explicit SecondFilm(const SecondFinger& second) {
+    request_.finger = second.finger;
+    request_.input = second.recording;
+  }
+  /// Null where that frame cannot be measured. Error: the recording or the finger cannot be opened.
+  Result<std::shared_ptr<const InspectedFrame>> partner(std::size_t number,
+                                                        const RecordingInfo& first,
+                                                        const Job& job) {
+    if (!recording_) {
+      const InspectAnswer begin = inspector_(request_, job);
+      if (!begin.recording) return *begin.problem;
+      recording_ = begin.recording;
+    }
+    request_.number = matched_frame(number, first, *recording_).number;
+    return inspector_(request_, job).frame;
+  }
+
+ private:
+  Inspector inspector_;
+  InspectRequest request_;
+  std::optional<RecordingInfo> recording_;
+};
+
 }  // namespace
 
-bool FilmMoment::has_face() const {
-  if (!poses) return is_shown(first) && (!second || is_shown(second));
-  return first && second && first->surface && second->surface;
+Status save_film(const std::filesystem::path& finger, const FilmView& view,
+                 const std::optional<std::array<RigidTransform, 2>>& poses,
+                 const std::filesystem::path& file, const Job& job) {
+  const InspectOptions& options = view.options;
+  FilmWriter writer(file, view);
+  Inspector inspector;
+  InspectRequest request;
+  request.finger = finger;
+  request.input = options.recording;
+  request.other = options.comparand();
+  std::optional<SecondFilm> second;
+  if (options.second) second.emplace(*options.second);
+  for (std::size_t count = 1; request.number < count && !job.stop_requested(); ++request.number) {
+    const InspectAnswer answer = inspector(request, job);
+    if (!answer.recording) return *answer.problem;
+    if (answer.frame && answer.frame->other_problem) return *answer.frame->other_problem;
+    count = answer.recording->count;
+    job.report(static_cast<double>(request.number) / static_cast<double>(count),
+               en::say("frame {} of {}", request.number + 1, count));
+    FramePair moment{answer.frame, nullptr, poses};
+    if (second) {
+      auto partner = second->partner(request.number, *answer.recording, job);
+      if (!partner) return partner.error();
+      moment.second = std::move(*partner);
+      if (!moment.second) continue;
+    }
+    const Status status = writer.add(moment, answer.recording->frames_per_s);
+    if (!status) return status;
+  }
+  return writer.finish();
 }
 
-Result<FilmRenderer> FilmRenderer::create(const FilmView& view) {
-  // Three panes are made where two fingers or measurements may be shown; a moment uses one or two.
-  const bool may_be_two =
-      view.options.second || view.options.shown_comparison() == Comparison::kSideBySide;
-  std::vector<OffscreenScene> panes;
-  const cv::Size half(view.size_px.width / 2, view.size_px.height);
-  for (const cv::Size& size :
-       may_be_two ? std::vector{view.size_px, half, half} : std::vector{view.size_px}) {
-    auto pane = OffscreenScene::create(size, view.pixels_per_unit);
-    if (!pane) return pane.error();
-    pane->scene().set_options(view.options.scene);
-    pane->scene().set_colours(view.colours);
-    pane->scene().set_viewpoint(view.options.viewpoint);
-    if (view.options.view_pose) pane->scene().set_view_pose(*view.options.view_pose);
-    panes.push_back(std::move(*pane));
-  }
-  return FilmRenderer(view, std::move(panes));
+void FilmQueue::add(FramePair moment) {
+  const std::lock_guard lock(mutex_);
+  moments_.push_back(std::move(moment));
+  if (moments_.size() > kMaxMoments) moments_.pop_front();
+  added_.notify_one();
 }
 
-cv::Mat FilmRenderer::operator()(const FilmMoment& moment) {
-  if (moment.view_pose && !(view_pose_ && *view_pose_ == *moment.view_pose)) {
-    view_pose_ = moment.view_pose;
-    for (OffscreenScene& pane : panes_) pane.scene().set_view_pose(*view_pose_);
-  }
-  const auto draw = [&](OffscreenScene& pane, const InspectedFrame& frame, PaneContent content,
-                        bool has_marks, const std::optional<OtherInGripper>& other) {
-    show_in(pane.scene(), frame, content, other);
-    pane.scene().set_gap(other ? moment.gap : std::nullopt);
-    pane.scene().set_marks(has_marks ? marks_of(frame, view_.options) : SceneMarks());
-    return pane.image();
-  };
-  if (is_side_by_side(view_, moment) && panes_.size() > 1) {
-    const cv::Mat left = draw(panes_[1], *moment.first, PaneContent::kFirst, true, {});
-    const cv::Mat right = moment.second
-                              ? draw(panes_[2], *moment.second, PaneContent::kFirst, false, {})
-                              : draw(panes_[2], *moment.first, PaneContent::kSecond, true, {});
-    cv::Mat both;
-    cv::hconcat(left, right, both);
-    return both;
-  }
-  const bool is_difference = view_.options.shown_comparison() == Comparison::kDifference;
-  return draw(panes_[0], *moment.first,
-              is_difference ? PaneContent::kDifference : PaneContent::kFirst, true,
-              moment.second && moment.poses
-                  ? std::optional(OtherInGripper{moment.second, *moment.poses})
-                  : std::nullopt);
+std::optional<FramePair> FilmQueue::next() {
+  constexpr auto kWhile = std::chrono::milliseconds(100);
+  std::unique_lock lock(mutex_);
+  if (!added_.wait_for(lock, kWhile, [this] { return !moments_.empty(); })) return std::nullopt;
+  FramePair moment = std::move(moments_.front());
+  moments_.pop_front();
+  return moment;
 }
 
-Status FilmWriter::add(const FilmMoment& moment, double frames_per_s) {
-  if (!moment.has_face()) return {};
-  if (!renderer_) {
-    auto renderer = FilmRenderer::create(view_);
-    if (!renderer) return renderer.error();
-    renderer_ = std::move(*renderer);
-  }
-  const cv::Mat bgr = (*renderer_)(moment);
-  const Frame frame = frame_of(bgr, *moment.first->result.frame, written_++);
-  if (!writer_) {
-    auto made = VideoWriter::create(file_, frame, VideoCodec::kMjpeg, frames_per_s);
-    if (!made) return made.error();
-    writer_ = std::move(*made);
-  }
-  return writer_->add(frame);
+Status save_live_film(FilmQueue& queue, const FilmView& view, const std::filesystem::path& file,
+                      const Job& job) {
+  constexpr double kFramesPerS = 30;  // for frames without times
+  FilmWriter writer(file, view);
+  // Moments queued before the stop are still written.
+  for (std::size_t left = FilmQueue::kMaxMoments; left > 0; left -= job.stop_requested() ? 1 : 0)
+    if (const auto moment = queue.next())
+      if (const Status status = writer.add(*moment, kFramesPerS); !status) return status;
+  return writer.finish();
 }
 
-Status FilmWriter::finish() {
-  if (!writer_) return Error{en::say("no frame shows a face"), file_.string(), ""};
-  return writer_->finish();
-}
-
-Status save_paper_figure(const FilmMoment& moment, FilmView view,
+Status save_paper_figure(const FramePair& moment, FilmView view,
                          const std::filesystem::path& file) {
   if (!moment.has_face())
     return Error{en::say("there is no face to save"), file.string(), en::say("another frame")};
@@ -289,8 +291,7 @@ SaveBar::SaveBar(QWidget* parent)
       save_(new QPushButton),
       stop_(new QPushButton),
       progress_(new QProgressBar) {
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(0, 0, 0, 0);
+  auto* row = without_margins(new QHBoxLayout(this));
   for (const char* ending : kSaveFormats) kind_->addItem(QString(), QLatin1String(ending));
   progress_->setMaximumWidth(160);
   kind_->setMinimumWidth(52);  // px, for small windows

@@ -37,54 +37,9 @@ struct FilmView {
   double pixels_per_unit = 1;  ///< scale of lines and letters
 };
 
-/// What is rendered at one moment.
-struct FilmMoment {
-  std::shared_ptr<const InspectedFrame> first, second;  ///< second: null without a second finger
-  /// gripper_from_camera of both fingers, for one joint view; without it they are shown side by
-  /// side.
-  std::optional<std::array<RigidTransform, 2>> poses = {};
-  std::optional<NearestPoints> gap = {};
-  std::optional<ViewPose> view_pose = {};  ///< none: as in the options
-  [[nodiscard]] bool has_face() const;
-};
-
-class FilmRenderer {
- public:
-  /// Error: no OpenGL.
-  [[nodiscard]] static Result<FilmRenderer> create(const FilmView& view);
-  /// The moment needs a face. Returns CV_8UC3, BGR.
-  [[nodiscard]] cv::Mat operator()(const FilmMoment& moment);
-
- private:
-  FilmRenderer(FilmView view, std::vector<OffscreenScene> panes)
-      : view_(std::move(view)), panes_(std::move(panes)) {}
-  FilmView view_;
-  std::vector<OffscreenScene> panes_;
-  std::optional<ViewPose> view_pose_;
-};
-
-/// A video (Matroska, Motion JPEG) that is complete whenever it ends.
-class FilmWriter {
- public:
-  FilmWriter(std::filesystem::path file, const FilmView& view)
-      : file_(std::move(file)), view_(view) {}
-  /// Moments without a face are skipped. Errors: no OpenGL, those of writing.
-  [[nodiscard]] Status add(const FilmMoment& moment, double frames_per_s);
-  [[nodiscard]] std::size_t written() const { return written_; }
-  /// Error: nothing was written.
-  [[nodiscard]] Status finish();
-
- private:
-  std::filesystem::path file_;
-  FilmView view_;
-  std::optional<FilmRenderer> renderer_;
-  std::optional<VideoWriter> writer_;
-  std::size_t written_ = 0;
-};
-
 /// Figure for a paper: PNG, 300 dots per inch, 17 cm wide, in the aspect ratio of the view, on
 /// white. Errors: no face, no OpenGL, not writable.
-[[nodiscard]] Status save_paper_figure(const FilmMoment& moment, FilmView view,
+[[nodiscard]] Status save_paper_figure(const FramePair& moment, FilmView view,
                                        const std::filesystem::path& file);
 inline constexpr double kPaperDotsPerInch = 300, kPaperWidth_px = 2008;
 
@@ -96,45 +51,33 @@ inline constexpr double kPaperDotsPerInch = 300, kPaperWidth_px = 2008;
 /// of write_surface().
 [[nodiscard]] Status save_surface(const InspectedFrame& frame, const std::filesystem::path& file);
 
-/// A frame of one of two fingers, and the pose of its camera in the gripper.
-struct PosedFrame {
-  std::shared_ptr<const InspectedFrame> frame;
-  RigidTransform gripper_from_camera;
-};
 /// NAME-1 and NAME-2 with the ending of `file`.
 [[nodiscard]] std::vector<std::filesystem::path> files_of_both(const std::filesystem::path& file);
-/// Both contact faces, in the gripper's frame, into files_of_both(). Errors: as save_surface().
-[[nodiscard]] Status save_both(const std::array<PosedFrame, 2>& frames,
-                               const std::filesystem::path& file);
-
-/// A finger with its recording, as SecondFinger.
-struct FilmOptions {
-  std::filesystem::path finger, input;
-  FilmView view;  ///< with options.second for a second finger
-  /// gripper_from_camera of both cameras; none: the fingers are shown side by side.
-  std::optional<std::array<RigidTransform, 2>> poses;
-};
+/// Both contact faces of a joint pair, in the gripper's frame, into files_of_both(). Errors: as
+/// save_surface().
+[[nodiscard]] Status save_both(const FramePair& frames, const std::filesystem::path& file);
 
 /// A 3D video (Matroska, Motion JPEG) of the full recording at its frame rate; needs no display.
 /// Frames without a face are skipped. A stopped file is valid up to that frame. Errors: no OpenGL,
 /// no frame with a face, those of reading and writing.
-[[nodiscard]] Status save_film(const FilmOptions& options, const std::filesystem::path& file,
-                               const Job& job);
+///   finger: the folder of the finger that measures view.options.recording
+///   poses: see FramePair
+[[nodiscard]] Status save_film(const std::filesystem::path& finger, const FilmView& view,
+                               const std::optional<std::array<RigidTransform, 2>>& poses,
+                               const std::filesystem::path& file, const Job& job);
 
-/// Queue of live moments for a film. When it is full, the oldest is dropped and counted.
+/// Queue of live moments for a film. When it is full, the oldest is dropped.
 class FilmQueue {
  public:
   static constexpr std::size_t kMaxMoments = 4;
-  void add(FilmMoment moment);
+  void add(FramePair moment);
   /// Waits up to 100 ms; nullopt: nothing arrived.
-  [[nodiscard]] std::optional<FilmMoment> next();
-  [[nodiscard]] std::size_t left_out() const;
+  [[nodiscard]] std::optional<FramePair> next();
 
  private:
   mutable std::mutex mutex_;
   std::condition_variable added_;
-  std::deque<FilmMoment> moments_;
-  std::size_t left_out_ = 0;
+  std::deque<FramePair> moments_;
 };
 
 /// A video of the queue's moments until it is stopped. Errors: as save_film().

@@ -29,13 +29,12 @@ TimeLine::TimeLine(QWidget* parent)
       of_(new QLabel),
       name_(new QLabel),
       strip_(new EventStrip) {
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
+  auto* column = without_margins(new QVBoxLayout(this));
   column->setSpacing(2);
   auto* row = new QHBoxLayout;
   column->addLayout(row);
   column->addWidget(strip_);
-  for (QToolButton* button : {play_, earlier_, later_}) row->addWidget(button);
+  add_widgets(*row, {play_, earlier_, later_});
   row->addWidget(slider_, 1);
   row->addWidget(number_);
   row->addWidget(of_);

@@ -5,7 +5,6 @@
 #include "widgets/widget_base.h"
 
 #include <QDialogButtonBox>
-#include <QFileDialog>
 #include <QGridLayout>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
@@ -17,14 +16,11 @@ namespace alltact {
 
 LivePair::LivePair(LiveSession& first, QObject* parent) : QObject(parent), first_(first) {
   connect(&first_, &LiveSession::view_ready, this, [this] { add(0); });
-  connect(&loading_, &BackgroundWork::finished, this, [this] {
-    measure();
-    Q_EMIT changed();
-  });
-  connect(&measuring_, &BackgroundWork::finished, this, [this] {
-    measure();
-    Q_EMIT changed();
-  });
+  for (BackgroundWork* work : {&loading_, &measuring_})
+    connect(work, &BackgroundWork::finished, this, [this] {
+      measure();
+      Q_EMIT changed();
+    });
 }
 
 void LivePair::open(const std::optional<SecondCamera>& second) {
@@ -228,7 +224,8 @@ std::optional<ViewPair> ViewPairing::add(std::size_t which, std::shared_ptr<cons
   times_ns[which] = *time_ns;
   times_ns[1 - which] = *nearest->time_ns;
   pair.later_ms = 1e-6 * static_cast<double>(times_ns[1] - times_ns[0]);
-  pair.is_in_time = static_cast<double>(offset_ns(*nearest)) <= tolerance_ns();
+  pair.is_in_time = static_cast<double>(offset_ns(*nearest)) <=
+                    0.5e6 * std::max(period_ms_[0].value_or(0.0), period_ms_[1].value_or(0.0));
   if (!pair.is_in_time) {
     const bool is_waiting = static_cast<double>(*time_ns - *waiting_since_ns_) < 1e9 * kTimeout_s;
     return is_waiting ? std::nullopt : std::optional(pair);
@@ -251,10 +248,6 @@ void ViewPairing::measure_period(std::size_t which, const Timed& now) {
   period_ms_[which] = 1e-6 * static_cast<double>(*now.time_ns - *before.time_ns) / frames;
 }
 
-double ViewPairing::tolerance_ns() const {
-  return 0.5e6 * std::max(period_ms_[0].value_or(0.0), period_ms_[1].value_or(0.0));
-}
-
 std::optional<double> ViewPairing::period_ms(std::size_t which) const { return period_ms_[which]; }
 
 QString finger_name(const FingerStatus& finger) {
@@ -268,9 +261,9 @@ LivePairBox::LivePairBox(const LivePair& pair, const LiveSession& first, QWidget
       first_(first),
       open_(new QPushButton),
       close_(new QPushButton),
-      names_(new QLabel),
-      moment_(new QLabel),
-      reading_(new QLabel),
+      names_(wrapped_label()),
+      moment_(wrapped_label()),
+      reading_(wrapped_text()),
       motor_label_(new QLabel),
       motor_(new NumberField) {
   auto* grid = new QGridLayout(this);
@@ -281,11 +274,7 @@ LivePairBox::LivePairBox(const LivePair& pair, const LiveSession& first, QWidget
   grid->addWidget(moment_, 3, 0, 1, 2);
   grid->addWidget(open_, 4, 0);
   grid->addWidget(close_, 4, 1);
-  for (QLabel* label : {names_, moment_, reading_}) {
-    label->setWordWrap(true);
-    label->setTextFormat(Qt::RichText);
-  }
-  reading_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  for (QLabel* label : {names_, moment_, reading_}) label->setTextFormat(Qt::RichText);
   motor_label_->setBuddy(motor_);
   motor_->set_shown_decimals(3);
   motor_->setSingleStep(0.1);
@@ -387,7 +376,7 @@ SecondCameraDialog::SecondCameraDialog(const std::optional<SecondCamera>& now,
                                        const QStringList& cameras, QWidget* parent)
     : FittedDialog(parent),
       now_(now),
-      intro_(new QLabel),
+      intro_(wrapped_label()),
       finger_label_(new QLabel),
       source_label_(new QLabel),
       gripper_label_(new QLabel),
@@ -401,7 +390,6 @@ SecondCameraDialog::SecondCameraDialog(const std::optional<SecondCamera>& now,
       show_(new QPushButton),
       cancel_(new QPushButton) {
   auto* column = new QVBoxLayout(this);
-  intro_->setWordWrap(true);
   column->addWidget(intro_);
   auto* grid = new QGridLayout;
   int row = 0;
@@ -435,14 +423,19 @@ SecondCameraDialog::SecondCameraDialog(const std::optional<SecondCamera>& now,
   }
   connect(finger_, &QLineEdit::textChanged, this, &SecondCameraDialog::show_missing);
   connect(source_, &QComboBox::editTextChanged, this, &SecondCameraDialog::show_missing);
-  connect(choose_finger_, &QPushButton::clicked, this,
-          [this] { choose(finger_, true, tr("The second finger's folder"), {}); });
-  connect(choose_source_, &QPushButton::clicked, this, [this] {
-    choose(source_, false, tr("Source of the second finger"),
-           tr("Videos and scenes (*.mkv *.avi *.mp4 *.yaml *.yml)"));
+  connect(choose_finger_, &QPushButton::clicked, this, [this] {
+    ask_for_folder(this, tr("The second finger's folder"),
+                   [this](const QString& folder) { finger_->setText(folder); });
   });
-  connect(choose_gripper_, &QPushButton::clicked, this,
-          [this] { choose(gripper_, false, tr("The gripper's file"), tr("Grippers (*.yaml)")); });
+  connect(choose_source_, &QPushButton::clicked, this, [this] {
+    ask_for_file(this, tr("Source of the second finger"),
+                 tr("Videos and scenes (*.mkv *.avi *.mp4 *.yaml *.yml)"),
+                 [this](const QString& file) { source_->setEditText(file); });
+  });
+  connect(choose_gripper_, &QPushButton::clicked, this, [this] {
+    ask_for_file(this, tr("The gripper's file"), tr("Grippers (*.yaml)"),
+                 [this](const QString& file) { gripper_->setText(file); });
+  });
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   connect(buttons, &QDialogButtonBox::accepted, this, [this] {
     Q_EMIT chosen(entered());
@@ -473,20 +466,6 @@ void SecondCameraDialog::name_parts() {
   show_->setText(tr("&Show it"));
   cancel_->setText(tr("Cancel"));
   show_missing();
-}
-
-void SecondCameraDialog::choose(QWidget* line, bool is_folder, const QString& title,
-                                const QString& filter) {
-  auto* dialog = new QFileDialog(this, title, {}, filter);
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(is_folder ? QFileDialog::Directory : QFileDialog::ExistingFile);
-  connect(dialog, &QFileDialog::fileSelected, line, [line](const QString& file) {
-    if (auto* box = qobject_cast<QComboBox*>(line))
-      box->setEditText(file);
-    else
-      qobject_cast<QLineEdit*>(line)->setText(file);
-  });
-  dialog->show();
 }
 
 SecondCamera SecondCameraDialog::entered() const {

@@ -60,7 +60,6 @@ class ViewPairing {
     std::optional<std::int64_t> time_ns;
   };
   void measure_period(std::size_t which, const Timed& now);
-  [[nodiscard]] double tolerance_ns() const;
 
   std::array<std::deque<Timed>, 2> views_;
   std::array<std::optional<double>, 2> period_ms_;
@@ -206,7 +205,6 @@ class SecondCameraDialog : public FittedDialog {
 
  private:
   void name_parts();
-  void choose(QWidget* line, bool is_folder, const QString& title, const QString& filter);
   void show_missing();
   [[nodiscard]] SecondCamera entered() const;
 

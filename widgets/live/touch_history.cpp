@@ -104,164 +104,160 @@ namespace {
 
 struct ContactWords {
   Q_DECLARE_TR_FUNCTIONS(alltact::ContactWords)
- public:
-  static QString face_text(PushedFace face) {
-    switch (face) {
-      case PushedFace::kContact:
-        return tr("Contact on the contact face");
-      case PushedFace::kBack:
-        return tr("Pushed from the back");
-      case PushedFace::kUpper:
-        return tr("Pushed from the upper side");
-      case PushedFace::kLower:
-        break;
-    }
-    return tr("Pushed from the lower side");
-  }
-
-  static QString seconds(double value) {
-    return tr("%1 s").arg(plain_number(value, 1)).replace(QLatin1Char(' '), QChar(QChar::Nbsp));
-  }
-
-  static QString head(const FingerContact& contact, const TouchHistory* history) {
-    QString text = QStringLiteral("<b>%1</b>").arg(face_text(contact.face));
-    if (history == nullptr || contact.held_s.value_or(0.0) <= 0) return text;
-    return text + QStringLiteral(" ") + tr("for %1").arg(seconds(*contact.held_s));
-  }
-
-  static QString row(const QString& name, const QString& value) {
-    return QStringLiteral("<tr><td>%1&nbsp;</td><td>%2</td></tr>").arg(name, value);
-  }
-
-  static QString millimetres(double value, const std::optional<double>& sd, int digits) {
-    return tr("%1 mm").arg(number_and_sd(value, sd, digits));
-  }
-
-  static QString rows(const FingerContact& contact) {
-    QString rows;
-    if (contact.position) {
-      const PositionOnFinger& at = *contact.position;
-      rows += row(tr("Along"), millimetres(at.along_mm, at.along_sd_mm, 2));
-      if (at.across_mm) rows += row(tr("Across"), millimetres(*at.across_mm, at.across_sd_mm, 2));
-      if (at.depth_mm)
-        rows +=
-            row(tr("Depth"), (at.limits & kLayerLimit) != 0
-                                 ? tr("%1 mm").arg(limit_and_sd(*at.depth_mm, at.depth_sd_mm, 2))
-                                 : millimetres(*at.depth_mm, at.depth_sd_mm, 2));
-    }
-    if (!contact.direction) return rows;
-    const Eigen::Vector3d& direction = *contact.direction;
-    const QString turned = contact.direction_sd_deg
-                               ? tr("± %1°").arg(sd_number(*contact.direction_sd_deg, 1))
-                               : tr("(normal to the face)");
-    const QString components =
-        tr("x %1, y %2, z %3")
-            .arg(plain_number(direction.x(), 2), plain_number(direction.y(), 2),
-                 plain_number(direction.z(), 2));
-    return rows + row(tr("Direction"), components + QStringLiteral(" ") + turned);
-  }
-
-  static QString extent(const std::vector<ContactRegion>& regions) {
-    if (regions.empty()) return {};
-    const ContactRegion& first = regions.front();
-    QString text = tr("Area %1 mm², volume %2 mm³.")
-                       .arg(plain_number(first.area_mm2, 1), plain_number(first.volume_mm3, 1));
-    if (regions.size() > 1)
-      text += QStringLiteral(" ") +
-              tr("%n contact(s) on the face.", nullptr, static_cast<int>(regions.size()));
-    return text;
-  }
-
-  static QString touching(const FrameResult& result, const TouchHistory* history) {
-    const FingerContact& contact = *result.contact;
-    QStringList parts{head(contact, history)};
-    if (contact.is_slipping.value_or(false))
-      parts << QStringLiteral("<b>%1 %2</b>")
-                   .arg(QChar(0x25b2), tr("It slips or rolls over the skin."));
-    QString text = parts.join(QStringLiteral("<br>"));
-    text += QStringLiteral("<table>%1</table>").arg(rows(contact));
-    parts.clear();
-    if (!contact.position && !contact.no_position.empty())
-      parts << window_sentence(contact.no_position);
-    parts << extent(result.regions);
-    parts.removeAll(QString());
-    return text + parts.join(QStringLiteral("<br>"));
-  }
-
-  static QString free(const FrameResult& result, const TouchHistory* history) {
-    if (!result.reference) return tr("Unknown without a reference recording.");
-    QString text = tr("Nothing touches the finger.");
-    if (history == nullptr || history->contacts().empty()) return text;
-    const auto& last = history->contacts().back();
-    if (!last.has_ended) return text;
-    text += QStringLiteral("<br>") +
-            tr("The last contact lasted %1 and ended %2 ago.")
-                .arg(seconds(last.to_s - last.from_s), seconds(*history->now_s() - last.to_s));
-    if (history->has_slipped(last)) text += QStringLiteral(" ") + tr("It slipped.");
-    return text;
-  }
-
-  static QString brief(const FrameResult& result) {
-    QStringList parts;
-    if (result.contact) parts << face_text(result.contact->face);
-    if (result.force && result.force->in_range) {
-      const Force& force = *result.force;
-      const std::array names{QStringLiteral("Fx %1"), QStringLiteral("Fy %1"),
-                             QStringLiteral("Fz %1")};
-      for (Eigen::Index axis = 0; axis < force.axes; ++axis)
-        parts << names[static_cast<std::size_t>(axis)].arg(
-            tr("%1 N").arg(number_and_sd(force.force_N[axis], force.half_95_N[axis], 2)));
-    }
-    return joined(parts);
-  }
-
-  static QString help() {
-    return tr(
-        "Along: over the face from its base. Across: from its centre line towards +y. Direction: "
-        "displacement of the finger in the camera's frame; its standard deviation applies within "
-        "the finger's cross-section.");
-  }
 };
+
+QString pushed_face_text(PushedFace face) {
+  switch (face) {
+    case PushedFace::kContact:
+      return ContactWords::tr("Contact on the contact face");
+    case PushedFace::kBack:
+      return ContactWords::tr("Pushed from the back");
+    case PushedFace::kUpper:
+      return ContactWords::tr("Pushed from the upper side");
+    case PushedFace::kLower:
+      break;
+  }
+  return ContactWords::tr("Pushed from the lower side");
+}
+
+QString seconds_text(double value) {
+  return ContactWords::tr("%1 s")
+      .arg(plain_number(value, 1))
+      .replace(QLatin1Char(' '), QChar(QChar::Nbsp));
+}
+
+QString contact_head(const FingerContact& contact, const TouchHistory* history) {
+  QString text = QStringLiteral("<b>%1</b>").arg(pushed_face_text(contact.face));
+  if (history == nullptr || contact.held_s.value_or(0.0) <= 0) return text;
+  return text + QStringLiteral(" ") + ContactWords::tr("for %1").arg(seconds_text(*contact.held_s));
+}
+
+QString contact_row(const QString& name, const QString& value) {
+  return QStringLiteral("<tr><td>%1&nbsp;</td><td>%2</td></tr>").arg(name, value);
+}
+
+QString mm_and_sd(double value, const std::optional<double>& sd, int digits) {
+  return ContactWords::tr("%1 mm").arg(number_and_sd(value, sd, digits));
+}
+
+QString contact_rows(const FingerContact& contact) {
+  QString rows;
+  if (contact.position) {
+    const PositionOnFinger& at = *contact.position;
+    rows += contact_row(ContactWords::tr("Along"), mm_and_sd(at.along_mm, at.along_sd_mm, 2));
+    if (at.across_mm)
+      rows += contact_row(ContactWords::tr("Across"), mm_and_sd(*at.across_mm, at.across_sd_mm, 2));
+    if (at.depth_mm)
+      rows += contact_row(
+          ContactWords::tr("Depth"),
+          (at.limits & kLayerLimit) != 0
+              ? ContactWords::tr("%1 mm").arg(limit_and_sd(*at.depth_mm, at.depth_sd_mm, 2))
+              : mm_and_sd(*at.depth_mm, at.depth_sd_mm, 2));
+  }
+  if (!contact.direction) return rows;
+  const Eigen::Vector3d& direction = *contact.direction;
+  const QString turned =
+      contact.direction_sd_deg
+          ? ContactWords::tr("± %1°").arg(sd_number(*contact.direction_sd_deg, 1))
+          : ContactWords::tr("(normal to the face)");
+  const QString components =
+      ContactWords::tr("x %1, y %2, z %3")
+          .arg(plain_number(direction.x(), 2), plain_number(direction.y(), 2),
+               plain_number(direction.z(), 2));
+  return rows +
+         contact_row(ContactWords::tr("Direction"), components + QStringLiteral(" ") + turned);
+}
+
+QString extent_text(const std::vector<ContactRegion>& regions) {
+  if (regions.empty()) return {};
+  const ContactRegion& first = regions.front();
+  QString text = ContactWords::tr("Area %1 mm², volume %2 mm³.")
+                     .arg(plain_number(first.area_mm2, 1), plain_number(first.volume_mm3, 1));
+  if (regions.size() > 1)
+    text += QStringLiteral(" ") + ContactWords::tr("%n contact(s) on the face.", nullptr,
+                                                   static_cast<int>(regions.size()));
+  return text;
+}
+
+QString contact_details(const FrameResult& result, const TouchHistory* history) {
+  const FingerContact& contact = *result.contact;
+  QStringList parts{contact_head(contact, history)};
+  if (contact.is_slipping.value_or(false))
+    parts << QStringLiteral("<b>%1 %2</b>")
+                 .arg(QChar(0x25b2), ContactWords::tr("It slips or rolls over the skin."));
+  QString text = parts.join(QStringLiteral("<br>"));
+  text += QStringLiteral("<table>%1</table>").arg(contact_rows(contact));
+  parts.clear();
+  if (!contact.position && !contact.no_position.empty())
+    parts << window_sentence(contact.no_position);
+  parts << extent_text(result.regions);
+  parts.removeAll(QString());
+  return text + parts.join(QStringLiteral("<br>"));
+}
+
+QString no_contact_text(const FrameResult& result, const TouchHistory* history) {
+  if (!result.reference) return ContactWords::tr("Unknown without a reference recording.");
+  QString text = ContactWords::tr("Nothing touches the finger.");
+  if (history == nullptr || history->contacts().empty()) return text;
+  const auto& last = history->contacts().back();
+  if (!last.has_ended) return text;
+  text += QStringLiteral("<br>") + ContactWords::tr("The last contact lasted %1 and ended %2 ago.")
+                                       .arg(seconds_text(last.to_s - last.from_s),
+                                            seconds_text(*history->now_s() - last.to_s));
+  if (history->has_slipped(last)) text += QStringLiteral(" ") + ContactWords::tr("It slipped.");
+  return text;
+}
 
 }  // namespace
 
 QString contact_words(const FrameResult& result, const TouchHistory* history) {
-  return result.contact ? ContactWords::touching(result, history)
-                        : ContactWords::free(result, history);
+  return result.contact ? contact_details(result, history) : no_contact_text(result, history);
 }
 
-QString brief_contact_words(const FrameResult& result) { return ContactWords::brief(result); }
+QString brief_contact_words(const FrameResult& result) {
+  QStringList parts;
+  if (result.contact) parts << pushed_face_text(result.contact->face);
+  if (result.force && result.force->in_range) {
+    const Force& force = *result.force;
+    const std::array names{QStringLiteral("Fx %1"), QStringLiteral("Fy %1"),
+                           QStringLiteral("Fz %1")};
+    for (Eigen::Index axis = 0; axis < force.axes; ++axis)
+      parts << names[static_cast<std::size_t>(axis)].arg(ContactWords::tr("%1 N").arg(
+          number_and_sd(force.force_N[axis], force.half_95_N[axis], 2)));
+  }
+  return joined(parts);
+}
 
-QString contact_words_help() { return ContactWords::help(); }
+QString contact_words_help() {
+  return ContactWords::tr(
+      "Along: over the face from its base. Across: from its centre line towards +y. Direction: "
+      "displacement of the finger in the camera's frame; its standard deviation applies within "
+      "the finger's cross-section.");
+}
 
 namespace {
 
-struct ForceWords {
-  Q_DECLARE_TR_FUNCTIONS(alltact::ForceWords)
- public:
-  static QString why_none(const FingerStatus& status) {
-    if (status.state == FingerState::kLoading) return tr("The finger is being loaded.");
-    if (!status.finger) return tr("Open a finger to see its forces.");
-    const Finger& finger = *status.finger;
-    if (finger.markers.per_row == 0) return tr("Forces need a finger with markers.");
-    if (status.force_problem)
-      return window_sentence(status.force_problem->message()).toHtmlEscaped();
-    if (finger.force_model.empty()) return no_model(status.folder);
-    if (!status.has_reference) return tr("Forces need a reference recording: record one.");
-    return tr("No force is estimated for this image.");
-  }
-
-  static QString no_model(const std::filesystem::path& folder) {
-    const QString name = folder.empty() ? QStringLiteral("FINGER")
-                                        : QString::fromStdString(folder.filename().string());
-    return tr("This finger has no force model yet. Train one with a table of its markers and a "
-              "gauge's forces:") +
-           QStringLiteral("<br><code>alltact force %1 TABLE.csv</code>").arg(name.toHtmlEscaped());
-  }
-};
+QString no_model_text(const std::filesystem::path& folder) {
+  const QString name = folder.empty() ? QStringLiteral("FINGER")
+                                      : QString::fromStdString(folder.filename().string());
+  return ContactWords::tr(
+             "This finger has no force model yet. Train one with a table of its markers and a "
+             "gauge's forces:") +
+         QStringLiteral("<br><code>alltact force %1 TABLE.csv</code>").arg(name.toHtmlEscaped());
+}
 
 }  // namespace
 
-QString no_force_reason(const FingerStatus& finger) { return ForceWords::why_none(finger); }
+QString no_force_reason(const FingerStatus& status) {
+  if (status.state == FingerState::kLoading) return ContactWords::tr("The finger is being loaded.");
+  if (!status.finger) return ContactWords::tr("Open a finger to see its forces.");
+  const Finger& finger = *status.finger;
+  if (finger.markers.per_row == 0) return ContactWords::tr("Forces need a finger with markers.");
+  if (status.force_problem) return window_sentence(status.force_problem->message()).toHtmlEscaped();
+  if (finger.force_model.empty()) return no_model_text(status.folder);
+  if (!status.has_reference)
+    return ContactWords::tr("Forces need a reference recording: record one.");
+  return ContactWords::tr("No force is estimated for this image.");
+}
 
 }  // namespace alltact

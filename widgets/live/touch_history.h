@@ -107,6 +107,6 @@ struct SessionZero {
 // Explains why there is no force.
 
 /// Rich text, with what to do.
-[[nodiscard]] QString no_force_reason(const FingerStatus& finger);
+[[nodiscard]] QString no_force_reason(const FingerStatus& status);
 
 }  // namespace alltact

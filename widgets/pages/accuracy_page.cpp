@@ -28,12 +28,6 @@ constexpr int kRates[] = {10, 30, 60, 100};
 constexpr int kMinRate = 1, kMaxRate = 1000;
 constexpr double kErrorStepMm = 0.005;
 
-QLabel* wrapping_words() {
-  auto* label = new QLabel;
-  label->setWordWrap(true);
-  return label;
-}
-
 void enlarge(QWidget& widget, double times) {
   QFont font = widget.font();
   font.setPointSizeF(times * font.pointSizeF());
@@ -48,16 +42,16 @@ AccuracyPage::AccuracyPage(LiveSession& session, QUndoStack& undo, std::string p
       session_(session),
       run_(undo, std::move(program_version)),
       pages_(new QStackedWidget),
-      first_words_(wrapping_words()),
-      first_reason_(wrapping_words()),
+      first_words_(wrapped_label()),
+      first_reason_(wrapped_label()),
       measure_(new QPushButton),
       rate_label_(new QLabel),
       error_label_(new QLabel),
       rate_(new QComboBox),
       error_(new NumberField),
-      answer_(wrapping_words()),
-      figures_(wrapping_words()),
-      note_(wrapping_words()),
+      answer_(wrapped_label()),
+      figures_(wrapped_label()),
+      note_(wrapped_label()),
       use_(new QPushButton),
       as_calibrated_(new QPushButton),
       tabs_(new QTabWidget),
@@ -67,15 +61,13 @@ AccuracyPage::AccuracyPage(LiveSession& session, QUndoStack& undo, std::string p
       more_(new QPushButton),
       copy_(new QPushButton),
       command_(new QLineEdit),
-      standing_(wrapping_words()),
+      standing_(wrapped_label()),
       progress_(new QWidget),
       bar_(new QProgressBar),
       left_(new QLabel),
       stop_(new QPushButton) {
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  auto* running = new QHBoxLayout(progress_);
-  running->setContentsMargins(0, 0, 0, 0);
+  auto* column = without_margins(new QVBoxLayout(this));
+  auto* running = without_margins(new QHBoxLayout(progress_));
   running->addWidget(bar_, 1);
   running->addWidget(left_);
   running->addWidget(stop_);
@@ -108,8 +100,7 @@ QWidget* AccuracyPage::make_first() {
 
 QWidget* AccuracyPage::make_measured() {
   auto* page = new QWidget;
-  auto* column = new QVBoxLayout(page);
-  column->setContentsMargins(0, 0, 0, 0);
+  auto* column = without_margins(new QVBoxLayout(page));
   column->setSpacing(4);
   column->addLayout(make_questions());
   column->addLayout(make_answer());
@@ -142,8 +133,8 @@ QLayout* AccuracyPage::make_questions() {
   error_->set_shown_decimals(3);
   error_->setSingleStep(kErrorStepMm);
   error_label_->setBuddy(error_);
-  for (QWidget* widget : {static_cast<QWidget*>(rate_label_), static_cast<QWidget*>(rate_),
-                          static_cast<QWidget*>(error_label_), static_cast<QWidget*>(error_)}) {
+  for (QWidget* widget :
+       std::initializer_list<QWidget*>{rate_label_, rate_, error_label_, error_}) {
     line->addWidget(widget);
     if (widget == rate_) line->addSpacing(20);
   }
@@ -337,26 +328,24 @@ void FingerStudyRun::read_folder() {
     return std::function<void()>([this, folder, folder_state] {
       if (folder != folder_) return;
       // A request that is not written yet takes precedence.
-      if (!to_write_.empty() || writing_.is_running()) folder_state->in_use = in_use_;
+      if (!to_write_.empty() || writing_.is_running()) folder_state->in_use = now_.in_use;
       take(*folder_state);
     });
   });
 }
 
 void FingerStudyRun::take(const FolderState& folder_state) {
-  finger_ = folder_state.finger;
   // An unchanged study is not replaced, so that selections in it stay.
-  const bool is_same = study_ && folder_state.study && is_same_study(*study_, *folder_state.study);
-  if (!is_same) study_ = folder_state.study;
-  in_use_ = folder_state.in_use;
-  problem_ = folder_state.problem;
+  const auto before = now_.study;
+  now_ = folder_state;
+  if (before && now_.study && is_same_study(*before, *now_.study)) now_.study = before;
   Q_EMIT changed();
 }
 
 void FingerStudyRun::start(StudyExtent extent) {
-  if (is_running() || !finger_) return;
-  problem_.reset();
-  work_.start([this, finger = finger_, extent, version = version_](const Job& job) {
+  if (is_running() || !now_.finger) return;
+  now_.problem.reset();
+  work_.start([this, finger = now_.finger, extent, version = version_](const Job& job) {
     const auto done = study_finger(finger, extent, version, job);
     std::optional<Error> problem;
     if (!done && !job.stop_requested()) problem = done.error();
@@ -364,7 +353,7 @@ void FingerStudyRun::start(StudyExtent extent) {
     if (problem) folder_state->problem = problem;
     return std::function<void()>([this, folder = finger->folder, folder_state] {
       if (folder != folder_) return;
-      folder_state->in_use = in_use_;
+      folder_state->in_use = now_.in_use;
       take(*folder_state);
     });
   });
@@ -372,28 +361,28 @@ void FingerStudyRun::start(StudyExtent extent) {
 }
 
 std::optional<std::size_t> FingerStudyRun::row_in_use() const {
-  if (!study_) return std::nullopt;
-  const auto& rows = study_->study.rows;
+  if (!now_.study) return std::nullopt;
+  const auto& rows = now_.study->study.rows;
   const auto found = std::find_if(rows.begin(), rows.end(), [&](const StudyRow& row) {
-    return key_of(row.settings) == key_of(in_use_.settings);
+    return key_of(row.settings) == key_of(now_.in_use.settings);
   });
   return found == rows.end() ? std::nullopt
                              : std::optional(static_cast<std::size_t>(found - rows.begin()));
 }
 
 void FingerStudyRun::use(std::size_t row) {
-  if (!study_ || row_in_use() == row) return;
-  const auto& rows = study_->study.rows;
+  if (!now_.study || row_in_use() == row) return;
+  const auto& rows = now_.study->study.rows;
   const PipelineSettings& requested = rows[row].settings;
   undo_.push(new ValueChange<InUse>(
-      [] { return tr("use other settings"); }, in_use_,
+      [] { return tr("use other settings"); }, now_.in_use,
       InUse{name_of_use(requested, rows.front().settings), requested},
       [this, folder = folder_](const InUse& value) { set_in_use(folder, value); }));
 }
 
 void FingerStudyRun::set_in_use(const std::filesystem::path& folder, const InUse& requested) {
   to_write_.emplace_back(folder, requested);
-  if (folder == folder_) in_use_ = requested;
+  if (folder == folder_) now_.in_use = requested;
   write_next();
   Q_EMIT changed();
 }
@@ -409,7 +398,7 @@ void FingerStudyRun::write_next() {
                                : use_settings(*store, requested.settings, requested.name);
     return std::function<void()>([this, folder, written] {
       if (written || folder != folder_) return;
-      problem_ = written.error();
+      now_.problem = written.error();
       read_folder();
       Q_EMIT changed();
     });

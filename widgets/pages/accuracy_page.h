@@ -46,14 +46,14 @@ class FingerStudyRun : public QObject {
   void use(std::size_t row);
 
   /// The finger as its folder has it; null where none is open or it cannot be read.
-  [[nodiscard]] const FingerPtr& finger() const { return finger_; }
+  [[nodiscard]] const FingerPtr& finger() const { return now_.finger; }
   /// Null where the finger has none stored.
-  [[nodiscard]] const std::shared_ptr<const FingerStudy>& study() const { return study_; }
+  [[nodiscard]] const std::shared_ptr<const FingerStudy>& study() const { return now_.study; }
   /// The row that the finger measures with; nullopt: it is not among the measured ones.
   [[nodiscard]] std::optional<std::size_t> row_in_use() const;
-  [[nodiscard]] const PipelineSettings& settings_in_use() const { return in_use_.settings; }
+  [[nodiscard]] const PipelineSettings& settings_in_use() const { return now_.in_use.settings; }
   /// Why the last piece of work failed.
-  [[nodiscard]] const std::optional<Error>& problem() const { return problem_; }
+  [[nodiscard]] const std::optional<Error>& problem() const { return now_.problem; }
 
  Q_SIGNALS:
   void changed();
@@ -81,10 +81,7 @@ class FingerStudyRun : public QObject {
   QUndoStack& undo_;
   std::string version_;
   std::filesystem::path folder_;
-  FingerPtr finger_;
-  std::shared_ptr<const FingerStudy> study_;
-  InUse in_use_;
-  std::optional<Error> problem_;
+  FolderState now_;
   std::deque<std::pair<std::filesystem::path, InUse>> to_write_;  // in the order of the changes
   BackgroundWork work_, reading_, writing_;
 };

@@ -13,19 +13,20 @@ constexpr int kGoodPresses = 6;  // with fewer, another press is advised before 
 
 }  // namespace
 
-CalibratePage::CalibratePage(LiveSession& session, QUndoStack& undo, const CalibrateTools& tools,
-                             QWidget* parent)
+CalibratePage::CalibratePage(LiveSession& session, QUndoStack& undo,
+                             const std::filesystem::path& work_folder,
+                             const std::string& program_version, QWidget* parent)
     : Page("calibrate", parent),
       session_(session),
       collection_(undo),
-      run_(collection_, undo, tools.version),
+      run_(collection_, undo, program_version),
       forecast_(collection_, run_),
-      lens_(new LensPage(session, tools.measure_lens, tools.work_folder)),
+      lens_(new LensPage(session, work_folder)),
       finger_(new FingerPage(session, undo)),
       presses_(new PressesPage(session, collection_, run_, forecast_)),
       mapping_(new MappingPage(collection_, run_, forecast_)),
       verdict_(new VerdictPage(run_)),
-      check_(new CheckPage(session, collection_, run_, undo, tools.version)),
+      check_(new CheckPage(session, collection_, run_, undo, program_version)),
       pages_{lens_, finger_, presses_, mapping_, verdict_, check_},
       steps_(new StepList),
       stack_(new QStackedWidget),
@@ -183,9 +184,8 @@ UndoBar::UndoBar(QUndoStack& undo, const LiveSession& session, QWidget* parent)
       session_(session),
       undo_(new QToolButton),
       redo_(new QToolButton) {
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(0, 0, 0, 0);
-  for (QToolButton* button : {undo_, redo_}) row->addWidget(button);
+  auto* row = without_margins(new QHBoxLayout(this));
+  add_widgets(*row, {undo_, redo_});
   row->addStretch();
   undo_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   connect(undo_, &QToolButton::clicked, &stack_, &QUndoStack::undo);

@@ -42,18 +42,13 @@ class UndoBar : public Translated<QWidget> {
   QToolButton *undo_, *redo_;
 };
 
-/// Dependencies of the page.
-struct CalibrateTools {
-  LensMeasurer measure_lens;
-  std::filesystem::path work_folder;  ///< for unnamed files
-  std::string version;                ///< of the program, for the record
-};
-
 class CalibratePage : public Page {
   Q_OBJECT
  public:
-  CalibratePage(LiveSession& session, QUndoStack& undo, const CalibrateTools& tools,
-                QWidget* parent = nullptr);
+  ///   work_folder: for unnamed files
+  ///   program_version: for the record
+  CalibratePage(LiveSession& session, QUndoStack& undo, const std::filesystem::path& work_folder,
+                const std::string& program_version, QWidget* parent = nullptr);
 
   [[nodiscard]] QString title() const override { return tr("Calibrate"); }
   [[nodiscard]] QString menu_text() const override { return tr("&Calibrate"); }

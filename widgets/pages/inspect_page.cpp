@@ -46,11 +46,9 @@ InspectPage::InspectPage(LiveSession& session, QUndoStack& undo, QWidget* parent
       time_line_(new TimeLine),
       side_(new InspectSide),
       pair_box_(new PairBox(pair_)),
-      contact_group_(new QGroupBox),
-      contact_(new QLabel),
+      contact_(new ContactBox),
       force_(new ForceBox([this] { return shown_force(); })) {
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(0, 0, 0, 0);
+  auto* row = without_margins(new QHBoxLayout(this));
   auto* column = new QVBoxLayout;
   column->setSpacing(3);
   column->addWidget(make_header());
@@ -78,12 +76,10 @@ InspectPage::InspectPage(LiveSession& session, QUndoStack& undo, QWidget* parent
 
 QWidget* InspectPage::make_header() {
   auto* header = new QWidget;
-  auto* row = new QHBoxLayout(header);
-  row->setContentsMargins(0, 0, 0, 0);
+  auto* row = without_margins(new QHBoxLayout(header));
   live_->setCheckable(true);
   live_->setChecked(true);
-  for (QPushButton* button : {live_, video_, folder_, pair_box_->open_button()})
-    row->addWidget(button);
+  add_widgets(*row, {live_, video_, folder_, pair_box_->open_button()});
   shown_->setMinimumWidth(1);
   row->addWidget(shown_, 1);
   saved_->setMinimumWidth(1);
@@ -94,9 +90,7 @@ QWidget* InspectPage::make_header() {
 
 QWidget* InspectPage::make_side() {
   const SidePanel panel(kInspectSideWidth);
-  panel.column->addWidget(pair_box_);
-  make_contact(*panel.column);
-  panel.column->addWidget(side_);
+  add_widgets(*panel.column, {pair_box_, contact_, force_, side_});
   panel.foot->addWidget(saved_);
   panel.foot->addWidget(save_bar_);
   return panel.root;
@@ -104,8 +98,14 @@ QWidget* InspectPage::make_side() {
 
 void InspectPage::connect_parts() {
   connect(live_, &QPushButton::clicked, this, &InspectPage::go_live);
-  connect(video_, &QPushButton::clicked, this, &InspectPage::choose_video);
-  connect(folder_, &QPushButton::clicked, this, &InspectPage::choose_folder);
+  connect(video_, &QPushButton::clicked, this, [this] {
+    ask_for_file(this, tr("Open a video"), tr("Videos (*.mkv *.avi *.mp4)"),
+                 [this](const QString& file) { open(file.toStdString()); });
+  });
+  connect(folder_, &QPushButton::clicked, this, [this] {
+    ask_for_folder(this, tr("Open a folder of images"),
+                   [this](const QString& folder) { open(folder.toStdString()); });
+  });
   connect(&session_, &LiveSession::view_ready, this, &InspectPage::follow_live);
   connect(&session_, &LiveSession::status_ready, this, &InspectPage::follow_finger);
   connect(&inspection_, &Inspection::frame_ready, this, &InspectPage::show_frame);
@@ -113,12 +113,20 @@ void InspectPage::connect_parts() {
   constexpr int kSummaryInterval_ms = 200;
   summaries_timer_.setSingleShot(true);
   summaries_timer_.setInterval(kSummaryInterval_ms);
-  connect(&summaries_timer_, &QTimer::timeout, this, &InspectPage::show_summaries);
+  connect(&summaries_timer_, &QTimer::timeout, this, [this] {
+    const auto& recording = inspection_.recording();
+    if (recording) time_line_->set_recording(recording->count, recording->frames_per_s);
+    time_line_->set_summaries(inspection_.summaries());
+  });
   connect(&inspection_, &Inspection::summaries_changed, this, [this] {
     if (!summaries_timer_.isActive()) summaries_timer_.start();
   });
   connect(time_line_, &TimeLine::frame_requested, &inspection_, &Inspection::show_frame);
   connect(side_, &InspectSide::changed, this, &InspectPage::change_options);
+  connect(force_, &ForceBox::zero_requested, this,
+          [this](const ForceZero& zero) { take_zero(session_, undo_, zero); });
+  connect(force_, &ForceBox::no_zero_requested, this, [this] { drop_zero(session_, undo_); });
+  connect(&session_, &LiveSession::status_ready, force_, &ForceBox::schedule_update);
   connect(save_bar_, &SaveBar::save_requested, this, &InspectPage::choose_file);
   connect(save_bar_, &SaveBar::stop_requested, &saving_, &BackgroundWork::stop);
   connect(&saving_, &BackgroundWork::progressed, this, &InspectPage::show_saving);
@@ -156,9 +164,6 @@ void InspectPage::name_parts() {
   summary_->setAccessibleName(tr("Deepest contact"));
   saved_->setAccessibleName(tr("What was saved"));
   probe_->setAccessibleName(tr("Under the pointer"));
-  contact_group_->setTitle(tr("Contact"));
-  contact_->setToolTip(contact_words_help());
-  contact_->setAccessibleName(tr("Contacts on the finger"));
   show_frame();
 }
 
@@ -304,22 +309,6 @@ double recorded_s(const RecordingInfo& recording, std::size_t number) {
 
 }  // namespace
 
-void InspectPage::make_contact(QVBoxLayout& column) {
-  contact_->setWordWrap(true);
-  contact_->setTextFormat(Qt::RichText);
-  contact_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  constexpr int kContactLines = 8;  // constant height while contacts come and go
-  contact_->setMinimumHeight(kContactLines * contact_->fontMetrics().lineSpacing());
-  contact_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-  (new QVBoxLayout(contact_group_))->addWidget(contact_);
-  column.addWidget(contact_group_);
-  column.addWidget(force_);
-  connect(force_, &ForceBox::zero_requested, this,
-          [this](const ForceZero& zero) { take_zero(session_, undo_, zero); });
-  connect(force_, &ForceBox::no_zero_requested, this, [this] { drop_zero(session_, undo_); });
-  connect(&session_, &LiveSession::status_ready, force_, &ForceBox::schedule_update);
-}
-
 const TouchHistory& InspectPage::touch_history() const {
   return options_.recording.empty() ? session_.touch_history() : played_;
 }
@@ -335,7 +324,7 @@ void InspectPage::follow_contact() {
     played_.add(frame->result, recorded_s(*recording, frame->number));
     last_played_ = frame;
   }
-  contact_->setText(frame ? contact_words(frame->result, &touch_history()) : tr("No image yet."));
+  contact_->show_contact(frame ? &frame->result : nullptr, touch_history());
   force_->schedule_update();
 }
 
@@ -351,28 +340,8 @@ ShownForce InspectPage::shown_force() const {
 
 // Opening and saving files in the page Inspect.
 
-void InspectPage::choose_video() {
-  auto* dialog =
-      new QFileDialog(this, tr("Open a video"), QString(), tr("Videos (*.mkv *.avi *.mp4)"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(QFileDialog::ExistingFile);
-  connect(dialog, &QFileDialog::fileSelected, this,
-          [this](const QString& file) { open(file.toStdString()); });
-  dialog->show();
-}
-
-void InspectPage::choose_folder() {
-  auto* dialog = new QFileDialog(this, tr("Open a folder of images"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(QFileDialog::Directory);
-  connect(dialog, &QFileDialog::fileSelected, this,
-          [this](const QString& folder) { open(folder.toStdString()); });
-  dialog->show();
-}
-
 void InspectPage::choose_file(const QString& ending) {
   auto* dialog = new QFileDialog(this, tr("Save what is shown"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setDefaultSuffix(ending);
   dialog->setNameFilter(QStringLiteral("*.") + ending);
@@ -381,7 +350,7 @@ void InspectPage::choose_file(const QString& ending) {
                        ending);
   connect(dialog, &QFileDialog::fileSelected, this,
           [this](const QString& file) { save(file.toStdString()); });
-  dialog->show();
+  show_dialog(*dialog);
 }
 
 void InspectPage::save(const std::filesystem::path& file) {
@@ -436,14 +405,9 @@ FilmView InspectPage::film_view() const {
   return view;
 }
 
-FilmMoment InspectPage::film_moment() const {
-  FilmMoment moment{inspection_.frame(), nullptr};
-  if (options_.second) moment.second = pair_.second().frame();
-  if (pair_.frames() && pair_.has_both_poses()) {
-    moment.poses = {*pair_.mount(false)->gripper_from_camera,
-                    *pair_.mount(true)->gripper_from_camera};
-    moment.gap = pair_.gap();
-  }
+FramePair InspectPage::film_moment() const {
+  FramePair moment = pair_.frames().value_or(
+      FramePair{inspection_.frame(), options_.second ? pair_.second().frame() : nullptr});
   if (first_->face_pane() != nullptr) moment.view_pose = first_->face_pane()->scene().view_pose();
   return moment;
 }
@@ -482,13 +446,9 @@ BackgroundWork::Work InspectPage::film_work(const std::filesystem::path& file) {
       });
     };
   }
-  FilmOptions film;
-  film.finger = session_.status().finger.folder;
-  film.input = options_.recording;
-  film.view = film_view();
-  film.poses = film_moment().poses;
-  return [this, film, file](const Job& job) {
-    const Status status = save_film(film, file, job);
+  return [this, finger = session_.status().finger.folder, view = film_view(),
+          poses = film_moment().poses, file](const Job& job) {
+    const Status status = save_film(finger, view, poses, file, job);
     return std::function<void()>([this, file, status] { end_saving(status, {file}); });
   };
 }
@@ -499,12 +459,8 @@ BackgroundWork::Work InspectPage::saving_work(const std::filesystem::path& file)
   const auto ended = [this](const Status& status, const std::vector<std::filesystem::path>& files) {
     return [this, status, files] { end_saving(status, files); };
   };
-  if (const auto frames = pair_.frames(); frames && pair_.has_both_poses()) {
-    const std::array<PosedFrame, 2> both{
-        PosedFrame{frames->first, *pair_.mount(false)->gripper_from_camera},
-        PosedFrame{frames->second, *pair_.mount(true)->gripper_from_camera}};
-    return [=](const Job&) { return ended(save_both(both, file), files_of_both(file)); };
-  }
+  if (const auto frames = pair_.frames(); frames && frames->poses)
+    return [=](const Job&) { return ended(save_both(*frames, file), files_of_both(file)); };
   const auto frame = inspection_.frame();
   return [=](const Job&) { return ended(save_surface(*frame, file), {file}); };
 }
@@ -536,10 +492,9 @@ void InspectPage::connect_pair() {
 
 void InspectPage::choose_second() {
   auto* dialog = new SecondFingerDialog(options_.second, this);
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &SecondFingerDialog::chosen, this,
           [this](const SecondFinger& second) { open_second(second); });
-  dialog->show();
+  show_dialog(*dialog);
 }
 
 void InspectPage::choose_pose(bool is_second) {
@@ -549,14 +504,13 @@ void InspectPage::choose_pose(bool is_second) {
   using Pose = std::optional<RigidTransform>;
   const Pose now = known->gripper_from_camera;
   auto* dialog = new GripperDialog(pair_.name(is_second), now, this);
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &GripperDialog::chosen, this, [this, folder, now](const Pose& chosen) {
     if (chosen == now) return;
     undo_.push(new ValueChange<Pose>(
         [folder] { return tr("pose of %1 in the gripper").arg(text_of(folder.filename())); }, now,
         chosen, [this, folder](const Pose& requested) { pair_.set_pose(folder, requested); }));
   });
-  dialog->show();
+  show_dialog(*dialog);
 }
 
 /// Both fingers are drawn in one 3D view: their gripper poses are known.
@@ -566,7 +520,7 @@ bool InspectPage::is_joint_view() const {
 
 void InspectPage::show_second() {
   const auto& frame = pair_.second().frame();
-  if (frame && frame->surface) return second_->show_frame(frame);
+  if (frame && frame->surface) return second_->show_frames({frame});
   second_->show_message(frame ? tr("The face was not found in this image.")
                         : pair_.second().problem()
                             ? tr("Nothing can be shown; the reason is above.")
@@ -620,12 +574,6 @@ void InspectPage::show_frame() {
   show_state();
 }
 
-void InspectPage::show_summaries() {
-  const auto& recording = inspection_.recording();
-  if (recording) time_line_->set_recording(recording->count, recording->frames_per_s);
-  time_line_->set_summaries(inspection_.summaries());
-}
-
 QString InspectPage::summary_text() const {
   const auto text = [](const std::shared_ptr<const InspectedFrame>& frame) {
     return frame && frame->surface ? deepest_text(*frame) : QString();
@@ -655,20 +603,20 @@ QString InspectPage::title_of(bool is_second) const {
 void InspectPage::show_panes() {
   const auto& frame = inspection_.frame();
   const bool has_face = frame && frame->surface;
-  const bool is_pair = is_joint_view() && pair_.frames();
+  const auto both = is_joint_view() ? pair_.frames() : std::nullopt;
   first_->set_title(title_of(false));
   second_->set_title(title_of(true));
-  if (is_pair)
-    first_->show_pair(pair_);
+  if (both)
+    first_->show_frames(*both);
   else if (has_face || (frame && frame->bare))
-    first_->show_frame(frame);
+    first_->show_frames({frame});
   else
     first_->show_message(empty_reason());
-  second_->setVisible(options_.second ? !is_pair : options_.comparison == Comparison::kSideBySide);
+  second_->setVisible(options_.second ? !both : options_.comparison == Comparison::kSideBySide);
   if (options_.second)
     show_second();
   else if (has_face)
-    second_->show_frame(frame);
+    second_->show_frames({frame});
   else
     second_->show_message(empty_reason());
 }

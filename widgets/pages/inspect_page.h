@@ -62,7 +62,6 @@ class InspectPage : public Page {
   void connect_parts();
   void connect_panes();
   void connect_pair();
-  void make_contact(QVBoxLayout& column);
   void follow_contact();
   [[nodiscard]] const TouchHistory& touch_history() const;
   [[nodiscard]] ShownForce shown_force() const;
@@ -79,8 +78,6 @@ class InspectPage : public Page {
   void show_recording();
   void choose_second();
   void choose_pose(bool is_second);
-  void choose_video();
-  void choose_folder();
   void choose_file(const QString& ending);
   void go_live();
   void follow_live();
@@ -98,9 +95,8 @@ class InspectPage : public Page {
   [[nodiscard]] BackgroundWork::Work film_work(const std::filesystem::path& file);
   [[nodiscard]] Status save_section(const std::filesystem::path& file);
   [[nodiscard]] FilmView film_view() const;
-  [[nodiscard]] FilmMoment film_moment() const;
+  [[nodiscard]] FramePair film_moment() const;
   [[nodiscard]] CanSave can_save() const;
-  void show_summaries();
   [[nodiscard]] QString empty_reason() const;
   [[nodiscard]] QString shown_text() const;
   void show_saving();
@@ -131,8 +127,7 @@ class InspectPage : public Page {
   // Contacts of the recording, as long as its frames are shown in sequence.
   TouchHistory played_;
   std::shared_ptr<const InspectedFrame> last_played_;
-  QGroupBox* contact_group_;
-  QLabel* contact_;
+  ContactBox* contact_;
   ForceBox* force_;
 };
 

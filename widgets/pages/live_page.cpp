@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kLiveSideWidth = 300;
 
-enum MergeId { kDepthTop = 1, kControls = 1000 };
+constexpr int kDepthTop = 1, kControls = 1000;  // merge ids
 
 }  // namespace
 
@@ -34,7 +34,6 @@ LivePage::LivePage(LiveSession& session, QUndoStack& undo, QWidget* parent)
       overlay_group_(new QGroupBox),
       camera_(new QGroupBox),
       lamp_group_(new QGroupBox),
-      contact_group_(new QGroupBox),
       times_group_(new QGroupBox),
       choices_{{{new QCheckBox, &ViewOptions::edges},
                 {new QCheckBox, &ViewOptions::markers},
@@ -43,7 +42,7 @@ LivePage::LivePage(LiveSession& session, QUndoStack& undo, QWidget* parent)
                 {new QCheckBox, &ViewOptions::faults}}},
       top_label_(new QLabel),
       top_(new NumberField),
-      contact_(new QLabel),
+      contact_(new ContactBox),
       times_(new QLabel),
       controls_(new ControlPanel),
       force_(new ForceBox([this] { return shown_force(); })),
@@ -75,8 +74,7 @@ void LivePage::show_start(bool is_requested) {
 
 QWidget* LivePage::make_view_page() {
   auto* page = new QWidget;
-  auto* row = new QHBoxLayout(page);
-  row->setContentsMargins(0, 0, 0, 0);
+  auto* row = without_margins(new QHBoxLayout(page));
   auto* column = new QVBoxLayout;
   panels_->addWidget(panel_, 1);
   column->addLayout(panels_, 1);
@@ -121,9 +119,6 @@ void LivePage::name_parts() {
   top_->setAccessibleName(tr("Depth at which the colours end"));
   camera_->setTitle(tr("Camera"));
   lamp_group_->setTitle(tr("Lamp"));
-  contact_group_->setTitle(tr("Contact"));
-  contact_->setToolTip(contact_words_help());
-  contact_->setAccessibleName(tr("Contacts on the finger"));
   times_group_->setTitle(tr("Time per frame"));
   show_status();
 }
@@ -142,11 +137,7 @@ QWidget* LivePage::make_side() {
   top->addWidget(top_);
   top->addStretch();
   over->insertLayout(4, top);
-  side.column->addWidget(overlay_group_);
-  side.column->addWidget(pair_box_);
-  make_contact();
-  side.column->addWidget(contact_group_);
-  side.column->addWidget(force_);
+  add_widgets(*side.column, {overlay_group_, pair_box_, contact_, force_});
   (new QVBoxLayout(times_group_))->addWidget(times_);
   side.column->addWidget(times_group_);
   (new QVBoxLayout(camera_))->addWidget(controls_);
@@ -202,8 +193,7 @@ void LivePage::show_status() {
   const LiveStatus& status = session_.status();
   controls_->set_controls(status.controller.controls, status.controller.is_locked);
   const auto& view = session_.view();
-  contact_->setText(view ? contact_words(view->result, &session_.touch_history())
-                         : tr("No image yet."));
+  contact_->show_contact(view ? &view->result : nullptr, session_.touch_history());
   force_->schedule_update();
   show_times();
 }
@@ -257,7 +247,7 @@ class CameraButton : public QPushButton {
 StartPanel::StartPanel(QWidget* parent)
     : Translated(parent),
       title_(new QLabel),
-      intro_(new QLabel),
+      intro_(wrapped_label()),
       cards_(new FingerCards),
       drawing_(new FingerDrawing(DrawnThing::kFinger)),
       try_(new QPushButton),
@@ -292,10 +282,7 @@ QVBoxLayout* StartPanel::make_left() {
   auto* column = new QVBoxLayout;
   column->setSpacing(kSpacing + kSpacing / 2);
   title_->setFont(text_font(font(), TextSize::kTitle));
-  intro_->setWordWrap(true);
-  for (QWidget* widget : {static_cast<QWidget*>(title_), static_cast<QWidget*>(intro_),
-                          static_cast<QWidget*>(last_), static_cast<QWidget*>(cards_)})
-    column->addWidget(widget);
+  add_widgets(*column, {title_, intro_, last_, cards_});
   column->addWidget(drawing_, 1);
   return column;
 }
@@ -304,13 +291,12 @@ QVBoxLayout* StartPanel::make_right() {
   constexpr int kWidth = 220;
   auto* sources = new QVBoxLayout(sources_);
   sources->addLayout(cameras_);
-  for (QPushButton* button : {simulated_, video_, folder_}) sources->addWidget(button);
+  add_widgets(*sources, {simulated_, video_, folder_});
   auto* fingers = new QVBoxLayout(fingers_);
-  for (QPushButton* button : {finger_, all_, new_finger_}) fingers->addWidget(button);
+  add_widgets(*fingers, {finger_, all_, new_finger_});
   auto* column = new QVBoxLayout;
   column->setSpacing(2 * kSpacing);
-  for (QWidget* widget : {static_cast<QWidget*>(try_), static_cast<QWidget*>(sources_),
-                          static_cast<QWidget*>(fingers_)}) {
+  for (QWidget* widget : std::initializer_list<QWidget*>{try_, sources_, fingers_}) {
     widget->setMinimumWidth(kWidth);
     column->addWidget(widget);
   }
@@ -381,17 +367,6 @@ void StartPanel::show_cameras() {
 
 // Contact and force in the page Live.
 
-void LivePage::make_contact() {
-  contact_->setWordWrap(true);
-  contact_->setTextFormat(Qt::RichText);
-  contact_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  // Height of the longest text, constant while contacts come and go.
-  constexpr int kContactLines = 8;
-  contact_->setMinimumHeight(kContactLines * contact_->fontMetrics().lineSpacing());
-  contact_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-  (new QVBoxLayout(contact_group_))->addWidget(contact_);
-}
-
 void LivePage::connect_force() {
   connect(&session_, &LiveSession::view_ready, force_, &ForceBox::schedule_update);
   connect(force_, &ForceBox::zero_requested, this,
@@ -458,10 +433,9 @@ void LivePage::change_second(const std::optional<SecondCamera>& second, const St
 
 void LivePage::choose_second() {
   auto* dialog = new SecondCameraDialog(pair_.opened(), cameras_, this);
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &SecondCameraDialog::chosen, this,
           [this](const SecondCamera& second) { open_second(second); });
-  dialog->show();
+  show_dialog(*dialog);
 }
 
 void LivePage::set_second(const std::optional<SecondCamera>& second) {

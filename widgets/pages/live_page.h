@@ -105,7 +105,6 @@ class LivePage : public Page {
   };
   [[nodiscard]] QWidget* make_view_page();
   [[nodiscard]] QWidget* make_side();
-  void make_contact();
   void connect_force();
   void connect_choices();
   void name_parts();
@@ -138,11 +137,12 @@ class LivePage : public Page {
   ImagePanel* second_panel_ = nullptr;  // created with the first second finger
   QHBoxLayout* panels_;
   Lamp lamp_;
-  QGroupBox *overlay_group_, *camera_, *lamp_group_, *contact_group_, *times_group_;
+  QGroupBox *overlay_group_, *camera_, *lamp_group_, *times_group_;
   std::array<Choice, 5> choices_;
   QLabel* top_label_;
   NumberField* top_;
-  QLabel *contact_, *times_;
+  ContactBox* contact_;
+  QLabel* times_;
   ControlPanel* controls_;
   ForceBox* force_;
   LivePairBox* pair_box_;

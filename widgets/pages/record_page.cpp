@@ -37,12 +37,6 @@ ViewOptions only_finger() {
   return options;
 }
 
-QLabel* wrapped_label() {
-  auto* label = new QLabel;
-  label->setWordWrap(true);
-  return label;
-}
-
 QString enough_text(const BendState& covered) {
   const QString enough = RecordPage::tr("Enough: all directions reached.");
   if (covered.is_required(BendDirection::kTwistLeft)) return enough;
@@ -56,10 +50,9 @@ std::filesystem::path path_of(const QString& text) {
 
 }  // namespace
 
-RecordPage::RecordPage(LiveSession& session, ReferenceInstaller installer, QWidget* parent)
+RecordPage::RecordPage(LiveSession& session, QWidget* parent)
     : Page("record", parent),
       session_(session),
-      installer_(std::move(installer)),
       panel_(new ImagePanel(session)),
       coverage_group_(new QGroupBox),
       recording_group_(new QGroupBox),
@@ -89,10 +82,8 @@ RecordPage::RecordPage(LiveSession& session, ReferenceInstaller installer, QWidg
       outcome_(wrapped_label()),
       rejected_(new QListWidget),
       skin_changed_(new QCheckBox),
-      rig_box_(new RigCheckBox),
-      judge_(installer_) {
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
+      rig_box_(new RigCheckBox) {
+  auto* layout = without_margins(new QHBoxLayout(this));
   layout->addWidget(panel_, 1);
   layout->addWidget(make_side());
   panel_->set_options(only_finger());
@@ -111,11 +102,30 @@ void RecordPage::connect_parts() {
   connect(record_, &QPushButton::clicked, this, &RecordPage::start_or_stop);
   connect(browse_, &QPushButton::clicked, this, &RecordPage::choose_file);
   connect(install_, &QPushButton::clicked, this, &RecordPage::install);
-  connect(keep_, &QPushButton::clicked, this, &RecordPage::defer_take);
+  connect(keep_, &QPushButton::clicked, this, [this] {
+    deferred_ = std::exchange(recorded_, {});
+    judge_.forget();
+    report_.reset();
+    show_status();
+  });
   connect(again_, &QPushButton::clicked, this, &RecordPage::record_again);
   connect(onward_, &QPushButton::clicked, this, [this] { Q_EMIT lead_requested("calibrate"); });
-  connect(video_, &QPushButton::clicked, this, &RecordPage::choose_video);
-  connect(stop_install_, &QPushButton::clicked, this, &RecordPage::stop_installing);
+  connect(video_, &QPushButton::clicked, this, [this] {
+    ask_for_file(
+        this, tr("Video of the bending finger"), tr("Videos (*.mkv *.avi *.mp4 *.mov)"),
+        [this](const QString& file) {
+          report_.reset();
+          problem_image_ = {};
+          offer(file.toStdString(), std::nullopt);
+          show_status();
+        },
+        QString::fromStdString(session_.status().finger.folder.string()));
+  });
+  connect(stop_install_, &QPushButton::clicked, this, [this] {
+    install_after_judging_ = false;
+    install_work_.stop();
+    show_status();
+  });
   connect(rejected_, &QListWidget::itemChanged, this, &RecordPage::choose_frames);
   connect(skin_changed_, &QCheckBox::toggled, this, &RecordPage::judge_take);
   connect(&judge_, &TakeJudge::changed, this, &RecordPage::follow_judge);
@@ -131,10 +141,7 @@ QWidget* RecordPage::make_side() {
   make_result_group(*side.column);
   side.column->addWidget(rig_box_);
   auto* coverage = new QVBoxLayout(coverage_group_);
-  coverage->addWidget(coverage_view_);
-  coverage->addWidget(missing_);
-  coverage->addWidget(rest_);
-  coverage->addWidget(rest_note_);
+  add_widgets(*coverage, {coverage_view_, missing_, rest_, rest_note_});
   side.column->addWidget(coverage_group_);
   make_file_group(*side.column);
   side.column->addStretch();
@@ -144,9 +151,7 @@ QWidget* RecordPage::make_side() {
 void RecordPage::make_recording_group(QVBoxLayout& column) {
   auto* layout = new QVBoxLayout(recording_group_);
   record_->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_R));
-  for (QWidget* widget : {static_cast<QWidget*>(record_), static_cast<QWidget*>(reason_),
-                          static_cast<QWidget*>(progress_), static_cast<QWidget*>(space_)})
-    layout->addWidget(widget);
+  add_widgets(*layout, {record_, reason_, progress_, space_});
   column.addWidget(recording_group_);
 }
 
@@ -172,16 +177,10 @@ void RecordPage::make_result_group(QVBoxLayout& column) {
   auto* line = new QHBoxLayout;
   line->addWidget(bar_, 1);
   line->addWidget(stop_install_);
-  layout->addWidget(summary_);
-  layout->addWidget(judged_);
-  layout->addWidget(skin_changed_);
-  layout->addWidget(install_);
-  layout->addWidget(install_reason_);
+  add_widgets(*layout, {summary_, judged_, skin_changed_, install_, install_reason_});
   layout->addLayout(other);
   layout->addLayout(line);
-  layout->addWidget(outcome_);
-  layout->addWidget(onward_);
-  layout->addWidget(rejected_);
+  add_widgets(*layout, {outcome_, onward_, rejected_});
   column.addWidget(result_group_);
 }
 
@@ -221,11 +220,6 @@ bool RecordPage::is_busy() const {
   const RecordingState state = session_.status().recording.state;
   return state == RecordingState::kRunning || state == RecordingState::kFinishing ||
          is_installing();
-}
-
-void RecordPage::begin_coverage() {
-  coverage_.begin();
-  contact_frames_ = 0;
 }
 
 void RecordPage::set_rest() {
@@ -280,17 +274,17 @@ void RecordPage::begin_recording() {
   installed_.clear();
   deferred_.clear();
   judge_.forget();
-  begin_coverage();
+  coverage_.begin();
+  contact_frames_ = 0;
   session_.start_recording(path_of(file_->text()));
 }
 
 void RecordPage::choose_file() {
   auto* dialog = new QFileDialog(this, tr("Record to"), file_->text(), tr("Video (*.mkv)"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setDefaultSuffix(QStringLiteral("mkv"));
   connect(dialog, &QFileDialog::fileSelected, file_, &QLineEdit::setText);
-  dialog->show();
+  show_dialog(*dialog);
 }
 
 void RecordPage::propose_file() {
@@ -366,8 +360,7 @@ void RecordPage::showEvent(QShowEvent* event) {
 namespace {
 
 /// Reuses the judged result of the same recording.
-Result<ReferenceReport> install_take(const ReferenceInstaller& installer,
-                                     const std::shared_ptr<const JudgedTake>& judged,
+Result<ReferenceReport> install_take(const std::shared_ptr<const JudgedTake>& judged,
                                      const std::filesystem::path& folder,
                                      const std::filesystem::path& video,
                                      const ReferenceChoices& choices, const Job& job) {
@@ -376,7 +369,7 @@ Result<ReferenceReport> install_take(const ReferenceInstaller& installer,
     if (!is_done) return is_done.error();
     if (*is_done) return judged->report;
   }
-  return installer(folder, video, choices, job);
+  return set_reference(folder, {video}, job, choices);
 }
 
 }  // namespace
@@ -417,28 +410,21 @@ void RecordPage::install_now() {
   const auto video = recorded_;
   const auto judged =
       untouched_frames_.empty() && left_out_frames_.empty() ? judge_.judged() : nullptr;
-  install_work_.start(
-      [this, folder, video, choices = choices(), judged, installer = installer_](const Job& job) {
-        auto report = std::make_shared<Result<ReferenceReport>>(
-            install_take(installer, judged, folder, video, choices, job));
-        const QImage image(QString::fromStdString((folder / kReferenceProblem).string()));
-        // A stop by the user needs no error message.
-        const bool is_stopped = job.stop_requested() && !report->ok();
-        return std::function<void()>([this, report, video, image, is_stopped] {
-          if (is_stopped) return;
-          installed_ = video;
-          report_ = *report;
-          problem_image_ = image;
-          if (report->ok()) judge_.forget();
-          list_rejected();
-        });
-      });
-}
-
-void RecordPage::stop_installing() {
-  install_after_judging_ = false;
-  install_work_.stop();
-  show_status();
+  install_work_.start([this, folder, video, choices = choices(), judged](const Job& job) {
+    auto report = std::make_shared<Result<ReferenceReport>>(
+        install_take(judged, folder, video, choices, job));
+    const QImage image(QString::fromStdString((folder / kReferenceProblem).string()));
+    // A stop by the user needs no error message.
+    const bool is_stopped = job.stop_requested() && !report->ok();
+    return std::function<void()>([this, report, video, image, is_stopped] {
+      if (is_stopped) return;
+      installed_ = video;
+      report_ = *report;
+      problem_image_ = image;
+      if (report->ok()) judge_.forget();
+      list_rejected();
+    });
+  });
 }
 
 void RecordPage::show_installing() {
@@ -453,9 +439,8 @@ const BackgroundWork& RecordPage::installing_work() const {
 
 void RecordPage::show_problem_image() {
   auto* dialog = new ImageDialog(problem_image_, this);
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setWindowTitle(tr("What was found in the recording"));
-  dialog->show();
+  show_dialog(*dialog);
 }
 
 void RecordPage::list_rejected() {
@@ -561,13 +546,6 @@ void RecordPage::judge_take() {
     judge_.judge(status.finger.folder, recorded_, choices());
 }
 
-void RecordPage::defer_take() {
-  deferred_ = std::exchange(recorded_, {});
-  judge_.forget();
-  report_.reset();
-  show_status();
-}
-
 void RecordPage::record_again() {
   const auto video = std::exchange(recorded_, {});
   judge_.forget();
@@ -578,21 +556,6 @@ void RecordPage::record_again() {
     for (const auto& file : {video, std::filesystem::path(video).replace_extension(".frames.csv")})
       QFile::moveToTrash(QString::fromStdString(file.string()));
   begin_recording();
-}
-
-void RecordPage::choose_video() {
-  auto* dialog = new QFileDialog(this, tr("Video of the bending finger"),
-                                 QString::fromStdString(session_.status().finger.folder.string()),
-                                 tr("Videos (*.mkv *.avi *.mp4 *.mov)"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(QFileDialog::ExistingFile);
-  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) {
-    report_.reset();
-    problem_image_ = {};
-    offer(file.toStdString(), std::nullopt);
-    show_status();
-  });
-  dialog->show();
 }
 
 QString RecordPage::take_words(const RecordingStatus& recording) const {
@@ -661,12 +624,9 @@ void RecordPage::show_recorded(const LiveStatus& status) {
   if (is_deferred) {
     summary_->setText(tr("Saved: %1").arg(QString::fromStdString(deferred_.filename().string())));
     summary_->setToolTip(QString::fromStdString(deferred_.string()));
-    for (QWidget* widget : {static_cast<QWidget*>(install_), static_cast<QWidget*>(keep_),
-                            static_cast<QWidget*>(again_), static_cast<QWidget*>(onward_),
-                            static_cast<QWidget*>(install_reason_), static_cast<QWidget*>(judged_),
-                            static_cast<QWidget*>(skin_changed_), static_cast<QWidget*>(bar_),
-                            static_cast<QWidget*>(stop_install_), static_cast<QWidget*>(outcome_),
-                            static_cast<QWidget*>(rejected_)})
+    for (QWidget* widget :
+         std::initializer_list<QWidget*>{install_, keep_, again_, onward_, install_reason_, judged_,
+                                         skin_changed_, bar_, stop_install_, outcome_, rejected_})
       widget->hide();
     return;
   }
@@ -729,7 +689,7 @@ void RecordPage::show_button(const LiveStatus& status) {
   record_->setEnabled(why.isEmpty());
   reason_->setText(why);
   reason_->setVisible(!why.isEmpty());
-  for (QWidget* widget : {static_cast<QWidget*>(file_), static_cast<QWidget*>(browse_)})
+  for (QWidget* widget : std::initializer_list<QWidget*>{file_, browse_})
     widget->setEnabled(!is_recording);
 }
 
@@ -808,18 +768,15 @@ void RecordPage::add_problems(std::vector<Problem>& problems) {
   if (isVisible()) add_recording_problems(status, problems);
   if (finger.state != FingerState::kReady || finger.folder.empty()) return;
   if (finger.finger->face.kind == FaceKind::kFinRay && !finger.has_reference)
-    problems.push_back({Meaning::kDoubtful,
-                        tr("This finger has no reference recording yet."),
-                        tr("Record it bending, with nothing on its contact face."),
-                        {},
-                        {}});
+    problems.push_back({Meaning::kDoubtful, tr("This finger has no reference recording yet."),
+                        tr("Record it bending, with nothing on its contact face.")});
 }
 
 void RecordPage::add_recording_problems(const LiveStatus& status, std::vector<Problem>& problems) {
   if (status.recording.problem) problems.push_back(Problem::of(*status.recording.problem));
   if (report_ && !report_->ok()) problems.push_back(Problem::of(report_->error()));
   const auto note = [&](Meaning meaning, const QString& what, const QString& advice) {
-    problems.push_back({meaning, what, advice, {}, {}});
+    problems.push_back({meaning, what, advice});
   };
   const bool is_recording = status.recording.state == RecordingState::kRunning;
   const std::uint64_t lost =
@@ -848,22 +805,16 @@ void RecordPage::add_contact_notes(const LiveStatus& status, std::vector<Problem
   if (is_in_contact_)
     problems.push_back({Meaning::kDoubtful,
                         tr("Something touches the contact face; such frames are left out."),
-                        tr("Keep it free: bend the finger at its tip, its sides or its back."),
-                        {},
-                        {}});
+                        tr("Keep it free: bend the finger at its tip, its sides or its back.")});
   if (unknown_frames_ >= kMaxUnknownFrames)
     problems.push_back({Meaning::kDoubtful,
                         tr("It is unknown whether something touches the contact face."),
                         tr("Open the finger that belongs to this source, and keep both edges of "
-                           "its face in the image."),
-                        {},
-                        {}});
+                           "its face in the image.")});
   else if (!status.finger.has_reference && touch_ != FaceContact::kUnknown)
     problems.push_back({Meaning::kDoubtful,
                         tr("Without a reference, contact is detected from the preceding frames."),
-                        tr("Begin with nothing on the contact face."),
-                        {},
-                        {}});
+                        tr("Begin with nothing on the contact face.")});
 }
 
 }  // namespace alltact

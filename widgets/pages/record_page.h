@@ -21,7 +21,7 @@ namespace alltact {
 class RecordPage : public Page {
   Q_OBJECT
  public:
-  RecordPage(LiveSession& session, ReferenceInstaller installer, QWidget* parent = nullptr);
+  explicit RecordPage(LiveSession& session, QWidget* parent = nullptr);
 
   [[nodiscard]] QString title() const override { return tr("Record"); }
   [[nodiscard]] QString menu_text() const override { return tr("&Record"); }
@@ -47,17 +47,14 @@ class RecordPage : public Page {
   void make_file_group(QVBoxLayout& column);
   void make_result_group(QVBoxLayout& column);
   void name_parts();
-  void begin_coverage();
   void set_rest();
   void analyse_frame();
   void start_or_stop();
   void begin_recording();
   void choose_file();
-  void choose_video();
   void propose_file();
   /// Offers a video for installation: a recording, or a file chosen by the user.
   void offer(const std::filesystem::path& video, std::optional<RestPose> rest_pose);
-  void defer_take();
   void record_again();
   void judge_take();
   [[nodiscard]] ReferenceChoices choices() const;
@@ -65,7 +62,6 @@ class RecordPage : public Page {
   void measure_space();
   void install();
   void install_now();
-  void stop_installing();
   void follow_judge();
   [[nodiscard]] bool is_installing() const;
   [[nodiscard]] const BackgroundWork& installing_work() const;
@@ -93,7 +89,6 @@ class RecordPage : public Page {
   [[nodiscard]] QString outcome_text() const;
 
   LiveSession& session_;
-  ReferenceInstaller installer_;
   ImagePanel* panel_;
   QGroupBox *coverage_group_, *recording_group_, *result_group_, *file_group_;
   CoverageView* coverage_view_;

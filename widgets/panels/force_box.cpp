@@ -6,7 +6,6 @@
 #include "widgets/theme.h"
 #include "widgets/undo_step.h"
 
-#include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QLocale>
 #include <QVBoxLayout>
@@ -22,19 +21,32 @@ constexpr int kForcePlotHeight = 160;
 
 }  // namespace
 
+ContactBox::ContactBox(QWidget* parent) : Translated(parent), text_(wrapped_text()) {
+  text_->setTextFormat(Qt::RichText);
+  constexpr int kLines = 8;  // of the longest text
+  text_->setMinimumHeight(kLines * text_->fontMetrics().lineSpacing());
+  text_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  (new QVBoxLayout(this))->addWidget(text_);
+  say([this] {
+    setTitle(tr("Contact"));
+    text_->setToolTip(contact_words_help());
+    text_->setAccessibleName(tr("Contacts on the finger"));
+  });
+}
+
+void ContactBox::show_contact(const FrameResult* result, const TouchHistory& history) {
+  text_->setText(result != nullptr ? contact_words(*result, &history) : tr("No image yet."));
+}
+
 ForceBox::ForceBox(std::function<ShownForce()> ask, QWidget* parent)
     : Translated(parent),
       ask_(std::move(ask)),
-      reading_(new QLabel),
-      zero_(new QLabel),
+      reading_(wrapped_text()),
+      zero_(wrapped_text()),
       plot_(new ForcePlot),
       take_zero_(new QPushButton),
       no_zero_(new QPushButton) {
   auto* column = new QVBoxLayout(this);
-  for (QLabel* label : {reading_, zero_}) {
-    label->setWordWrap(true);
-    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  }
   column->addWidget(reading_);
   plot_->setFixedHeight(kForcePlotHeight);
   column->addWidget(plot_);
@@ -143,12 +155,6 @@ void ForcePlot::set_data(const TouchHistory& history, const std::optional<ForceZ
   rebuild();
 }
 
-void ForcePlot::set_empty_text(const QString& text) {
-  if (text == empty_text_) return;
-  empty_text_ = text;
-  rebuild();
-}
-
 /// Covers the readings in range with their intervals. Readings out of range count only where there
 /// are no others, since they can have any value.
 void ForcePlot::set_span() {
@@ -190,10 +196,6 @@ void ForcePlot::draw_span(double from_s, double to_s, int alpha, Qt::BrushStyle 
   span->setBrush(QBrush(colour, style));
 }
 
-QString ForcePlot::axis_name(int axis) const {
-  return axis == 0 ? QStringLiteral("Fx") : axis == 1 ? QStringLiteral("Fy") : QStringLiteral("Fz");
-}
-
 void ForcePlot::draw_axis(int axis) {
   constexpr std::array kStyles{Qt::SolidLine, Qt::DashLine, Qt::DashDotLine};
   const QColor colour = series_colour(axis, palette());
@@ -232,7 +234,9 @@ void ForcePlot::draw_axis(int axis) {
   auto* line = chart().addGraph();
   line->setData(times, forces, true);
   line->setPen(QPen(colour, 2, kStyles[static_cast<std::size_t>(axis)]));
-  line->setName(axis_name(axis));
+  line->setName(axis == 0   ? QStringLiteral("Fx")
+                : axis == 1 ? QStringLiteral("Fy")
+                            : QStringLiteral("Fz"));
   for (auto* hidden : {upper, lower, unsure}) hidden->removeFromLegend();
 }
 
@@ -254,13 +258,6 @@ bool ForcePlot::draw() {
 
 namespace {
 
-struct ZeroWords {
-  Q_DECLARE_TR_FUNCTIONS(alltact::ZeroWords)
- public:
-  static QString take() { return tr("re-zero the force"); }
-  static QString drop() { return tr("show the force as measured"); }
-};
-
 void change_zero(LiveSession& session, QUndoStack& undo, const std::optional<SessionZero>& zero,
                  StepWords what) {
   using Zero = std::optional<SessionZero>;
@@ -277,11 +274,13 @@ void take_zero(LiveSession& session, QUndoStack& undo, const ForceZero& zero) {
   change_zero(
       session, undo,
       SessionZero{zero, QDateTime::currentDateTime(), finger.folder, finger.finger->force_model},
-      ZeroWords::take);
+      [] { return ForceBox::tr("re-zero the force"); });
 }
 
 void drop_zero(LiveSession& session, QUndoStack& undo) {
-  if (session.force_zero()) change_zero(session, undo, std::nullopt, ZeroWords::drop);
+  if (session.force_zero())
+    change_zero(session, undo, std::nullopt,
+                [] { return ForceBox::tr("show the force as measured"); });
 }
 
 }  // namespace alltact

@@ -1,4 +1,4 @@
-// The force on the finger: as numbers, over time, and its zero.
+// The contacts and the force on the finger: as text, over time, and the zero of the force.
 #pragma once
 
 #include "widgets/live/live_session.h"
@@ -17,6 +17,19 @@
 
 namespace alltact {
 
+// Contacts as text of constant height.
+
+class ContactBox : public Translated<QGroupBox> {
+  Q_OBJECT
+ public:
+  explicit ContactBox(QWidget* parent = nullptr);
+  /// Null result: no image yet.
+  void show_contact(const FrameResult* result, const TouchHistory& history);
+
+ private:
+  QLabel* text_;
+};
+
 // Forces of the last 30 s with their intervals, above the contacts in the same time.
 
 class ForcePlot : public Plot {
@@ -24,25 +37,21 @@ class ForcePlot : public Plot {
  public:
   using Plot::Plot;
   void set_data(const TouchHistory& history, const std::optional<ForceZero>& zero);
-  /// The reason why there is nothing to draw.
-  void set_empty_text(const QString& text);
   /// Newtons at the lower and the upper end of the drawn axis.
   [[nodiscard]] std::pair<double, double> span_N() const { return {low_N_, top_N_}; }
 
  protected:
   bool draw() override;
-  [[nodiscard]] QString empty_text() const override { return empty_text_; }
+  [[nodiscard]] QString empty_text() const override { return {}; }
 
  private:
   void set_span();
   void draw_contacts();
   void draw_span(double from_s, double to_s, int alpha, Qt::BrushStyle style);
   void draw_axis(int axis);
-  [[nodiscard]] QString axis_name(int axis) const;
 
   TouchHistory history_;
   std::optional<ForceZero> zero_;
-  QString empty_text_;
   double low_N_ = 0, top_N_ = 0;
 };
 

@@ -5,7 +5,6 @@
 #include "widgets/language.h"
 #include "widgets/theme.h"
 
-#include <QCoreApplication>
 #include <QDateTime>
 #include <QDir>
 #include <QFileDialog>
@@ -216,18 +215,6 @@ void ImagePanel::showEvent(QShowEvent* event) {
 
 namespace {
 
-struct SnapshotWords {
-  Q_DECLARE_TR_FUNCTIONS(alltact::SnapshotWords)
- public:
-  static QString title() { return tr("Save the image"); }
-  static QString drawn() { return tr("As shown (*.png)"); }
-  static QString bare() { return tr("Only the camera's image (*.png)"); }
-  static QString failed(const QString& file) {
-    return tr("%1 could not be written. Choose another folder, or free some disk space.")
-        .arg(QDir::toNativeSeparators(file));
-  }
-};
-
 QString proposed_file() {
   const QDir images_dir(QStandardPaths::writableLocation(QStandardPaths::PicturesLocation));
   const QDir where = images_dir.exists() ? images_dir : QDir::home();
@@ -251,59 +238,26 @@ QImage image_with_overlays(const cv::Mat& grey, const std::vector<Overlay>& over
 }
 
 void choose_snapshot(const cv::Mat& grey, const std::vector<Overlay>& overlays, QWidget& parent) {
-  auto* dialog = new QFileDialog(&parent, SnapshotWords::title(), proposed_file());
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  auto* dialog = new QFileDialog(&parent, ImagePanel::tr("Save the image"), proposed_file());
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setDefaultSuffix(QStringLiteral("png"));
-  dialog->setNameFilters({SnapshotWords::drawn(), SnapshotWords::bare()});
+  const QString bare_filter = ImagePanel::tr("Only the camera's image (*.png)");
+  dialog->setNameFilters({ImagePanel::tr("As shown (*.png)"), bare_filter});
   const QImage drawn = image_with_overlays(grey, overlays), bare = grey_image(grey).copy();
   QObject::connect(dialog, &QFileDialog::fileSelected, &parent,
-                   [drawn, bare, dialog, &parent](const QString& file) {
-                     const bool is_bare = dialog->selectedNameFilter() == SnapshotWords::bare();
+                   [drawn, bare, bare_filter, dialog, &parent](const QString& file) {
+                     const bool is_bare = dialog->selectedNameFilter() == bare_filter;
                      if ((is_bare ? bare : drawn).save(file, "PNG")) return;
-                     auto* box =
-                         new QMessageBox(QMessageBox::Warning, SnapshotWords::title(),
-                                         SnapshotWords::failed(file), QMessageBox::Ok, &parent);
-                     box->setAttribute(Qt::WA_DeleteOnClose);
-                     box->show();
+                     auto* box = new QMessageBox(
+                         QMessageBox::Warning, ImagePanel::tr("Save the image"),
+                         ImagePanel::tr("%1 could not be written. Choose another folder, or free "
+                                        "some disk space.")
+                             .arg(QDir::toNativeSeparators(file)),
+                         QMessageBox::Ok, &parent);
+                     show_dialog(*box);
                    });
-  dialog->show();
+  show_dialog(*dialog);
 }
-
-namespace {
-
-struct FrameWords {
-  Q_DECLARE_TR_FUNCTIONS(alltact::FrameWords)
- public:
-  static QString no_depth(std::uint8_t flag) {
-    switch (flag) {
-      case kTooDark:
-        return tr("no depth: too dark");
-      case kSaturated:
-        return tr("no depth: too bright");
-      default:
-        return tr("no depth: off the face");
-    }
-  }
-
-  static QString readout(const LiveView& view, QPoint pixel) {
-    const FrameResult& result = view.result;
-    const int grey = result.grey.at<std::uint8_t>(pixel.y(), pixel.x());
-    const QString text = tr("u %1 px, v %2 px, grey %3").arg(pixel.x()).arg(pixel.y()).arg(grey);
-    if (!result.depth) return text;
-    const float depth = result.depth->depth_mm.at<float>(pixel.y(), pixel.x());
-    const std::uint8_t flag = result.depth->flags.at<std::uint8_t>(pixel.y(), pixel.x());
-    return joined({text, std::isfinite(depth)
-                             ? tr("depth %1 mm")
-                                   .arg(is_at_limit(flag) ? limit_and_sd(depth, {}, 2)
-                                                          : plain_number(depth, 2))
-                             : no_depth(flag)});
-  }
-
-  static QString colour_bar() { return tr("Depth, mm"); }
-};
-
-}  // namespace
 
 std::vector<Overlay> overlays_for(const LiveView& view, const ViewOptions& options) {
   const FrameResult& result = view.result;
@@ -320,12 +274,25 @@ std::vector<Overlay> overlays_for(const LiveView& view, const ViewOptions& optio
     overlays.push_back(force_overlay(*result.push, *result.markers));
   if (options.depth && view.depth_layer)
     overlays.push_back(
-        colour_bar_overlay(depth_scale(view.depth_top_mm), FrameWords::colour_bar()));
+        colour_bar_overlay(depth_scale(view.depth_top_mm), ImagePanel::tr("Depth, mm")));
   return overlays;
 }
 
 QString readout_text(const LiveView& view, QPoint pixel) {
-  return FrameWords::readout(view, pixel);
+  const FrameResult& result = view.result;
+  const int grey = result.grey.at<std::uint8_t>(pixel.y(), pixel.x());
+  const QString text =
+      ImagePanel::tr("u %1 px, v %2 px, grey %3").arg(pixel.x()).arg(pixel.y()).arg(grey);
+  if (!result.depth) return text;
+  const float depth = result.depth->depth_mm.at<float>(pixel.y(), pixel.x());
+  const std::uint8_t flag = result.depth->flags.at<std::uint8_t>(pixel.y(), pixel.x());
+  return joined(
+      {text, std::isfinite(depth)
+                 ? ImagePanel::tr("depth %1 mm")
+                       .arg(is_at_limit(flag) ? limit_and_sd(depth, {}, 2) : plain_number(depth, 2))
+             : flag == kTooDark   ? ImagePanel::tr("no depth: too dark")
+             : flag == kSaturated ? ImagePanel::tr("no depth: too bright")
+                                  : ImagePanel::tr("no depth: off the face")});
 }
 
 }  // namespace alltact

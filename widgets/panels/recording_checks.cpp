@@ -45,8 +45,7 @@ RigCheckBox::RigCheckBox(QWidget* parent)
       fold_(new QToolButton),
       rows_(new QWidget),
       column_(new QVBoxLayout(rows_)) {
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
+  auto* column = without_margins(new QVBoxLayout(this));
   fold_->setCheckable(true);
   fold_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   column->addWidget(fold_);
@@ -109,11 +108,9 @@ void RigCheckBox::show_lines(bool anew) {
     shown_.clear();
     for (std::size_t i = 0; i < lines_.size(); ++i) {
       auto* line_widget = new QWidget;
-      auto* row = new QHBoxLayout(line_widget);
-      row->setContentsMargins(0, 0, 0, 0);
-      Row made{new QLabel, new QLabel};
+      auto* row = without_margins(new QHBoxLayout(line_widget));
+      Row made{new QLabel, wrapped_label()};
       made.symbol->setFixedWidth(kRigSymbol);
-      made.text->setWordWrap(true);
       row->addWidget(made.symbol, 0, Qt::AlignTop);
       row->addWidget(made.text, 1);
       column_->addWidget(line_widget);
@@ -122,13 +119,10 @@ void RigCheckBox::show_lines(bool anew) {
   }
   for (std::size_t i = 0; i < lines_.size(); ++i) {
     const Line& line = lines_[i];
-    const QString name = line.meaning == Meaning::kGood       ? QStringLiteral("good")
-                         : line.meaning == Meaning::kDoubtful ? QStringLiteral("doubtful")
-                                                              : QStringLiteral("bad");
-    shown_[i].symbol->setPixmap(
-        line.is_known
-            ? symbol(name, meaning_colour(line.meaning, palette()), kRigSymbol, devicePixelRatioF())
-            : QPixmap());
+    shown_[i].symbol->setPixmap(line.is_known ? symbol(meaning_symbol(line.meaning),
+                                                       meaning_colour(line.meaning, palette()),
+                                                       kRigSymbol, devicePixelRatioF())
+                                              : QPixmap());
     shown_[i].text->setText(line.text);
   }
 }
@@ -364,8 +358,8 @@ namespace fs = std::filesystem;
 
 fs::path path_of(const QTemporaryDir& folder) { return folder.path().toStdString(); }
 
-JudgedTake judge_take(const ReferenceInstaller& installer, const fs::path& finger,
-                      const fs::path& video, const ReferenceChoices& choices, const Job& job) {
+JudgedTake judge_take(const fs::path& finger, const fs::path& video,
+                      const ReferenceChoices& choices, const Job& job) {
   const auto copy = std::make_shared<const QTemporaryDir>();
   const auto judged = [&](Result<ReferenceReport> report, std::string finger_yaml = {}) {
     return JudgedTake{std::move(report), copy, std::move(finger_yaml), finger, video};
@@ -382,7 +376,7 @@ JudgedTake judge_take(const ReferenceInstaller& installer, const fs::path& finge
   // The earlier reference helps to judge the recording; without it the recording is judged alone.
   for (const char* name : {kReferenceVideo, kReferenceTable})
     fs::create_symlink(finger / name, path_of(*copy) / name, failed);
-  return judged(installer(path_of(*copy), video, choices, job), std::move(*finger_yaml));
+  return judged(set_reference(path_of(*copy), {video}, job, choices), std::move(*finger_yaml));
 }
 
 }  // namespace
@@ -398,8 +392,7 @@ Result<bool> JudgedTake::install() const {
   return true;
 }
 
-TakeJudge::TakeJudge(ReferenceInstaller installer, QObject* parent)
-    : QObject(parent), installer_(std::move(installer)) {
+TakeJudge::TakeJudge(QObject* parent) : QObject(parent) {
   connect(&work_, &BackgroundWork::progressed, this, &TakeJudge::changed);
   connect(&work_, &BackgroundWork::finished, this, &TakeJudge::changed);
 }
@@ -407,14 +400,12 @@ TakeJudge::TakeJudge(ReferenceInstaller installer, QObject* parent)
 void TakeJudge::judge(const fs::path& finger, const fs::path& video,
                       const ReferenceChoices& choices) {
   forget();
-  work_.restart(
-      [this, finger, video, choices, number = number_, installer = installer_](const Job& job) {
-        const auto judged =
-            std::make_shared<const JudgedTake>(judge_take(installer, finger, video, choices, job));
-        return std::function<void()>([this, judged, number, is_stopped = job.stop_requested()] {
-          if (number == number_ && !is_stopped) judged_ = judged;
-        });
-      });
+  work_.restart([this, finger, video, choices, number = number_](const Job& job) {
+    const auto judged = std::make_shared<const JudgedTake>(judge_take(finger, video, choices, job));
+    return std::function<void()>([this, judged, number, is_stopped = job.stop_requested()] {
+      if (number == number_ && !is_stopped) judged_ = judged;
+    });
+  });
   Q_EMIT changed();
 }
 

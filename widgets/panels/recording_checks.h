@@ -115,11 +115,6 @@ class QuickBending {
 
 // Previews a recording as a finger's reference before it is installed.
 
-/// Installs a recording in a finger's folder; runs on a background thread.
-using ReferenceInstaller = std::function<Result<ReferenceReport>(
-    const std::filesystem::path& folder, const std::filesystem::path& video,
-    const ReferenceChoices& choices, const Job& job)>;
-
 /// A recording that was installed in a copy of a finger.
 struct JudgedTake {
   Result<ReferenceReport> report;
@@ -138,7 +133,7 @@ struct JudgedTake {
 class TakeJudge : public QObject {
   Q_OBJECT
  public:
-  explicit TakeJudge(ReferenceInstaller installer, QObject* parent = nullptr);
+  explicit TakeJudge(QObject* parent = nullptr);
 
   /// finger: its folder, which stays unchanged.
   void judge(const std::filesystem::path& finger, const std::filesystem::path& video,
@@ -155,7 +150,6 @@ class TakeJudge : public QObject {
   void changed();
 
  private:
-  ReferenceInstaller installer_;
   int number_ = 0;  // of the last request
   std::shared_ptr<const JudgedTake> judged_;
   BackgroundWork work_, clearing_;

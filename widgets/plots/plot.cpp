@@ -1,6 +1,7 @@
 #include "widgets/plots/plot.h"
 
 #include "widgets/plots/custom_plot.h"
+#include "widgets/widget_base.h"
 
 #include <QEvent>
 #include <QLocale>
@@ -33,8 +34,7 @@ QString broken(const QString& text, const QFontMetrics& metrics, int room) {
 }  // namespace
 
 Plot::Plot(QWidget* parent) : QWidget(parent), chart_(new QCustomPlot(this)) {
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
+  auto* layout = without_margins(new QVBoxLayout(this));
   layout->addWidget(chart_);
   chart_->setFocusPolicy(Qt::NoFocus);  // the plot around it has the name and the keys
   setMinimumSize(220, 160);

@@ -53,30 +53,22 @@ std::vector<Entry> catalogue() {
       {Fault::kNone, Shown::kCloud, text("No fault"),
        text("One narrow cloud from zero to the deepest press, on the line.")},
       {Fault::kOtherLight, Shown::kLight, text("Other light than when the reference was taken"),
-       text(
-           "Here 5 % more: all bars alike and beyond the dashed lines. The program corrects it and "
-           "says so. Left uncorrected, every press would seem less deep.")},
+       text("Here 5 % more: all bars alike and beyond the dashed lines. The program corrects it "
+            "and says so. Left uncorrected, every press would seem less deep.")},
       {Fault::kAutomaticExposure, Shown::kLight, text("Automatic exposure"),
        text("Here another gain in every press, within 6 %: bars up and down. The program says so: "
-            "lock "
-            "exposure and gain, shade the finger, press again.")},
+            "lock exposure and gain, shade the finger, press again.")},
       {Fault::kMovedCamera, Shown::kCloud, text("Finger or camera moved after the reference"),
        text("Here by 0.45 mm. On a flat sensor in even light it does not show. Of a bending finger "
-            "the "
-            "program says when the reference does not hold the pose of most presses.")},
+            "the program says when the reference does not hold the pose of most presses.")},
       {Fault::kLooseSkin, Shown::kCloud, text("Skin that leaves the ball, light at its edge"),
        text("Crosses away from the line near zero: towards the rim the skin no longer follows the "
-            "ball, "
-            "and swells brightly beside it. Common, and no fault as long as the dots lie on the "
-            "line: "
-            "only the inner part is used.")},
+            "ball, and swells brightly beside it. Common, and no fault as long as the dots lie on "
+            "the line: only the inner part is used.")},
       {Fault::kBallRadius, Shown::kCloud, text("Wrong radius of the ball"),
-       text(
-           "Here given 10 % too large: it looks as good as no fault, and every depth is 9 % too "
-           "small. "
-           "No residual shows a wrong radius. Measure the ball with callipers; a check with a ball "
-           "of "
-           "another size shows it (alltact check --presses --ball-radius-mm).")},
+       text("Here given 10 % too large: it looks as good as no fault, and every depth is 9 % too "
+            "small. No residual shows a wrong radius. Measure the ball with callipers; a check "
+            "with a ball of another size shows it (alltact check --presses --ball-radius-mm).")},
   };
 }
 
@@ -126,7 +118,7 @@ void add_typical_faults(Document& document, const std::vector<SimulatedCalibrati
   assert(entries.size() == faults.size());
   for (std::size_t i = 0; i < entries.size(); ++i)
     rows.push_back({{QString(), image_of(entries[i], faults[i], palette, font), kWidth},
-                    {entries[i].name + ".\n" + entries[i].text, {}, 0}});
+                    {entries[i].name + ".\n" + entries[i].text}});
   document.table({}, rows, {});
 }
 
@@ -266,10 +258,10 @@ void ReportPages::add_verdict() {
 void ReportPages::add_causes() {
   std::vector<Document::Row> rows;
   for (const ErrorPart& part : calibration_.verdict.parts)
-    rows.push_back({{cause_words(part.cause), {}, 0}, {mm(part.error_mm), {}, 0}});
+    rows.push_back({{cause_words(part.cause)}, {mm(part.error_mm)}});
   if (rows.empty()) return;
   if (std::isfinite(calibration_.verdict.error_mm))
-    rows.push_back({{text("all together"), {}, 0}, {mm(calibration_.verdict.error_mm), {}, 0}});
+    rows.push_back({{text("all together")}, {mm(calibration_.verdict.error_mm)}});
   document_.table({text("Cause of error"), text("Mean depth error (mm)")}, rows, {false, true});
 }
 
@@ -279,9 +271,9 @@ void ReportPages::add_zones() {
   for (const ZoneError& zone : calibration_.zones) {
     const QString name = as_text(zone.zone);
     if (!zone.error_mm) unknown << name;
-    rows.push_back({{name, {}, 0},
-                    {QString::number(zone.presses), {}, 0},
-                    {zone.error_mm ? mm(*zone.error_mm) : text("unknown: no press there"), {}, 0}});
+    rows.push_back({{name},
+                    {QString::number(zone.presses)},
+                    {zone.error_mm ? mm(*zone.error_mm) : text("unknown: no press there")}});
   }
   document_.heading(text("How good it is, by zone of the face"));
   document_.table({text("Zone"), text("Presses"), text("Mean depth error (mm)")}, rows,
@@ -297,7 +289,7 @@ void ReportPages::add_facts() {
   const CalibrationInputs& inputs = calibration_.inputs;
   std::vector<Document::Row> rows;
   const auto add = [&](const QString& name, const QString& value) {
-    if (!value.isEmpty()) rows.push_back({{name, {}, 0}, {value, {}, 0}});
+    if (!value.isEmpty()) rows.push_back({{name}, {value}});
   };
   add(text("Date"), when(as_text(inputs.date)));
   add(text("Operator"), inputs.press_set.operator_name.empty()
@@ -362,24 +354,24 @@ void ReportPages::add_methods() {
       failed << text("%1: %2").arg(name, as_text(row.failed));
       continue;
     }
-    rows.push_back({{name, {}, 0},
-                    {QString::number(row.presses), {}, 0},
-                    {mm(row.press_depth_mm), {}, 0},
-                    {mm(row.residual_mm), {}, 0},
-                    {mm(row.at_depth_mm), {}, 0},
-                    {mm(row.joint_depth_mm), {}, 0}});
+    rows.push_back({{name},
+                    {QString::number(row.presses)},
+                    {mm(row.press_depth_mm)},
+                    {mm(row.residual_mm)},
+                    {mm(row.at_depth_mm)},
+                    {mm(row.joint_depth_mm)}});
   }
   document_.heading(text("Other methods on the same presses"));
   document_.table(
       {text("Method"), text("Presses"), text("Mean depth (mm)"),
        text("With them in the mapping (mm)"), text("Reads (mm)"), text("Joint reads (mm)")},
       rows, {false, true, true, true, true, true});
-  document_.paragraph(text(
-      "The joint method was used. The others find every ball from its dark border alone and are "
-      "here to compare with. Presses: in how many a ball was found, and how deep these went on "
-      "average. Reads: the depth for the darkest contact, beside what the joint method reads "
-      "there. A border that fades where the skin leaves the ball is neither the ball's outline "
-      "nor where it would leave a hard face, so the depths differ."));
+  document_.paragraph(
+      text("The joint method was used. The others find every ball from its dark border alone and "
+           "are here to compare with. Presses: in how many a ball was found, and how deep these "
+           "went on average. Reads: the depth for the darkest contact, beside what the joint "
+           "method reads there. A border that fades where the skin leaves the ball is neither the "
+           "ball's outline nor where it would leave a hard face, so the depths differ."));
   if (!failed.isEmpty()) document_.paragraph(failed.join('\n'));
 }
 
@@ -408,10 +400,9 @@ void ReportPages::add_history() {
   HistoryPlot plot;
   apply_style(plot);
   plot.set_data(std::move(data));
-  add_plot(
-      plot, 250,
-      text("What alltact check --presses found over time. The bands are those of the last check. A "
-           "line that climbs: lamps that age, or a layer that wears."));
+  add_plot(plot, 250,
+           text("What alltact check --presses found over time. The bands are those of the last "
+                "check. A line that climbs: lamps that age, or a layer that wears."));
 }
 
 void ReportPages::add_repetition() {
@@ -648,36 +639,36 @@ void ReportPages::add_presses() {
       image = press_image(press->second->grey, *camera, *ball, contact_pixels_of(*ball), size);
     rows.push_back(
         {{QString(), image, kImageWidth},
-         {press_words(*ball), {}, 0},
-         {mm(ball->depth_mm), {}, 0},
-         {mm(ball->residual_mm), {}, 0},
-         {error ? mm(*error) : text("unknown"), {}, 0},
-         {mm(ball->centre_sd_mm.z()), {}, 0},
-         {press == taken.end() ? QString() : percent(press->second->sign.light_change), {}, 0}});
+         {press_words(*ball)},
+         {mm(ball->depth_mm)},
+         {mm(ball->residual_mm)},
+         {error ? mm(*error) : text("unknown")},
+         {mm(ball->centre_sd_mm.z())},
+         {press == taken.end() ? QString() : percent(press->second->sign.light_change)}});
   }
   for (const StepFit& step : calibration_.calibration.steps) {
     const auto press = taken.find(step.press);
     if (press == taken.end()) continue;
     rows.push_back({{QString(), full_image(press->second->grey, size), kImageWidth},
-                    {punch_words(step), {}, 0},
-                    {text("none"), {}, 0},
-                    {text("none"), {}, 0},
-                    {text("none"), {}, 0},
-                    {text("none"), {}, 0},
-                    {percent(press->second->sign.light_change), {}, 0}});
+                    {punch_words(step)},
+                    {text("none")},
+                    {text("none")},
+                    {text("none")},
+                    {text("none")},
+                    {percent(press->second->sign.light_change)}});
   }
   document_.image_table(
       {text("Image"), text("Press"), text("Depth (mm)"), text("With this press (mm)"),
        text("Error (mm)"), text("Ball's distance, sd (mm)"), text("Light (%)")},
       rows, {false, false, true, true, true, true, true});
-  document_.paragraph(text(
-      "Orange: the outline of the ball as it was found, with its middle. Dashed: what the ball "
-      "touches; the dark contact must lie in there, or something else was taken for the ball. "
-      "Depth: the deepest point. Error: mapping minus ball inside the contact, on average, with a "
-      "mapping made without this press; this is the figure that counts. With this press: the same "
-      "with the final mapping, which this press helped to make. Ball's distance, sd: how well the "
-      "ball's distance from the camera is known. Light: "
-      "how much brighter the untouched face is than in the reference; it should be 0 within 1 %."));
+  document_.paragraph(
+      text("Orange: the outline of the ball as it was found, with its middle. Dashed: what the "
+           "ball touches; the dark contact must lie in there, or something else was taken for the "
+           "ball. Depth: the deepest point. Error: mapping minus ball inside the contact, on "
+           "average, with a mapping made without this press; this is the figure that counts. With "
+           "this press: the same with the final mapping, which this press helped to make. Ball's "
+           "distance, sd: how well the ball's distance from the camera is known. Light: how much "
+           "brighter the untouched face is than in the reference; it should be 0 within 1 %."));
   add_left_out();
 }
 
@@ -688,8 +679,8 @@ void ReportPages::add_left_out() {
     rows.push_back(
         {{QString(), full_image(press.grey, QSize(kImageWidth, kImageWidth * 9 / 16) * kSharpness),
           kImageWidth},
-         {as_text(press.name), {}, 0},
-         {sentence(press.left_out), {}, 0}});
+         {as_text(press.name)},
+         {sentence(press.left_out)}});
   }
   QStringList reasons;
   for (const Message& reason : calibration_.calibration.left_out) {
@@ -714,12 +705,11 @@ void ReportPages::add_light() {
   PressLightPlot plot;
   apply_style(plot);
   plot.set_data(std::move(light), 100 * kOtherLight);
-  add_plot(
-      plot, 190,
-      text("How much brighter the untouched face is than in its reference, in the order in which "
-           "the presses were given. Good: all near zero. All alike beyond a dashed line: other "
-           "light than when the reference was taken. Up and down: automatic exposure, or light "
-           "that gets in."));
+  add_plot(plot, 190,
+           text("How much brighter the untouched face is than in its reference, in the order in "
+                "which the presses were given. Good: all near zero. All alike beyond a dashed "
+                "line: other light than when the reference was taken. Up and down: automatic "
+                "exposure, or light that gets in."));
 }
 
 // Report pages: the mapping, and its errors by press, by position and by size.
@@ -729,18 +719,17 @@ void ReportPages::add_mapping() {
   document_.heading(text("From brightness to depth"));
   if (!calibration_.calibration.mapping.variation.is_none())
     document_.paragraph(
-        text("The mapping varies over the face; shown is the middle of the face, the "
-             "points as they would be there."));
+        text("The mapping varies over the face; shown is the middle of the face, the points as "
+             "they would be there."));
   MappingPlot plot;
   apply_style(plot);
   plot.set_data(mapping_figure(calibration_.calibration, calibration_.residuals));
-  add_plot(
-      plot, 340,
-      text("Each point is a block of pixels under a ball: how much darker it became, and how deep "
-           "the ball is there. The line is the mapping, the band two standard deviations of it. "
-           "Good: one narrow cloud around the line, reaching to the deepest presses you will "
-           "measure. Two clouds side by side: presses that do not agree. Crosses far off the line "
-           "belong to the rim, where skin leaves the ball, and are not used."));
+  add_plot(plot, 340,
+           text("Each point is a block of pixels under a ball: how much darker it became, and how "
+                "deep the ball is there. The line is the mapping, the band two standard deviations "
+                "of it. Good: one narrow cloud around the line, reaching to the deepest presses "
+                "you will measure. Two clouds side by side: presses that do not agree. Crosses far "
+                "off the line belong to the rim, where skin leaves the ball, and are not used."));
 }
 
 void ReportPages::add_errors() {
@@ -750,13 +739,11 @@ void ReportPages::add_errors() {
   PressErrorPlot bars;
   apply_style(bars);
   bars.set_data(press_errors(calibration_.calibration));
-  add_plot(
-      bars, bars.comfortable_height(),
-      text("Good: all bars alike. One bar much longer than the others: look at that press' picture "
-           "above, and leave it out if it shows anything but one clean ball. Much longer without "
-           "the "
-           "press than with it: this press shows something that no other does; press more like "
-           "it."));
+  add_plot(bars, bars.comfortable_height(),
+           text("Good: all bars alike. One bar much longer than the others: look at that press' "
+                "picture above, and leave it out if it shows anything but one clean ball. Much "
+                "longer without the press than with it: this press shows something that no other "
+                "does; press more like it."));
 }
 
 void ReportPages::add_map(FaceQuantity quantity, const QString& caption) {
@@ -776,16 +763,13 @@ void ReportPages::add_maps() {
   document_.heading(text("Where on the face"));
   add_map(FaceQuantity::kResidual,
           text("Mapping minus ball, mean of each square millimetre. Good: no pattern. Errors that "
-               "grow towards one "
-               "end or one side point to light or shape there."));
+               "grow towards one end or one side point to light or shape there."));
   if (calibration_.calibration.held_out_mm > 0)
     add_map(FaceQuantity::kHeldOut,
             text("Error of each press when the mapping was made without it. Hatched: nothing was "
                  "pressed there, nothing is known."));
-  add_map(
-      FaceQuantity::kCoverage,
-      text("How deep the presses went, and where. Press next where it is hatched, and as deep as "
-           "you will measure."));
+  add_map(FaceQuantity::kCoverage, text("How deep the presses went, and where. Press next where it "
+                                        "is hatched, and as deep as you will measure."));
 }
 
 void ReportPages::add_spread() {
@@ -794,10 +778,9 @@ void ReportPages::add_spread() {
   HistogramPlot histogram;
   apply_style(histogram);
   histogram.set_data(all_errors(calibration_.residuals), text("Mapping minus ball (mm)"));
-  add_plot(
-      histogram, 260,
-      text("Errors of all blocks in the inner part of the contacts. Good: one hill around zero. A "
-           "second hill or a hill beside zero: something differs between presses."));
+  add_plot(histogram, 260,
+           text("Errors of all blocks in the inner part of the contacts. Good: one hill around "
+                "zero. A second hill or a hill beside zero: something differs between presses."));
 }
 
 }  // namespace alltact

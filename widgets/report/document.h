@@ -35,8 +35,8 @@ class Document {
 
   struct Cell {
     QString text;
-    QImage image;   ///< instead of text where it is not null
-    int width = 0;  ///< of the image
+    QImage image = {};  ///< instead of text where it is not null
+    int width = 0;      ///< of the image
   };
   using Row = std::vector<Cell>;
   /// Empty `head`: none. Columns with `numbers` are right-aligned. `widths_percent` of the columns:

@@ -32,13 +32,12 @@ QString what_of(const ExperimentFigure& figure) {
 }
 
 Document::Row row_of(const ExperimentFigure& figure) {
-  const auto cell = [](const QString& words) { return Document::Cell{words, {}, 0}; };
-  return {cell(what_of(figure)),
-          cell(measured_number(figure.simulated)),
-          cell(given_number(figure.paper)),
-          cell(given_number(figure.aim)),
-          cell(as_text(figure.unit)),
-          cell(figure.aim ? (figure.reaches_aim() ? text("reached") : text("missed")) : QString())};
+  return {{what_of(figure)},
+          {measured_number(figure.simulated)},
+          {given_number(figure.paper)},
+          {given_number(figure.aim)},
+          {as_text(figure.unit)},
+          {figure.aim ? (figure.reaches_aim() ? text("reached") : text("missed")) : QString()}};
 }
 
 void add_table(Document& document, const std::vector<Document::Row>& rows) {
@@ -72,15 +71,14 @@ void add_summary(Document& document, const ExperimentReport& report) {
     for (const ExperimentFigure& figure : done.outcome.figures)
       if (figure.aim) ++aims, reached += figure.reaches_aim();
   }
-  document.paragraph(
-      text("%1 experiments with %2 frames; %3 of %4 figures with an aim reach it. Made %5 by "
-           "AllTact %6 with the seed %7.")
-          .arg(report.done.size())
-          .arg(frames)
-          .arg(reached)
-          .arg(aims)
-          .arg(when(as_text(report.date)), as_text(report.program_version))
-          .arg(report.seed));
+  document.paragraph(text("%1 experiments with %2 frames; %3 of %4 figures with an aim reach it. "
+                          "Made %5 by AllTact %6 with the seed %7.")
+                         .arg(report.done.size())
+                         .arg(frames)
+                         .arg(reached)
+                         .arg(aims)
+                         .arg(when(as_text(report.date)), as_text(report.program_version))
+                         .arg(report.seed));
 }
 
 void add_figures(Document& document, const ExperimentOutcome& outcome) {

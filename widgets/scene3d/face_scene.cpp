@@ -30,47 +30,8 @@
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
 
-class vtkRenderer;
-class vtkLookupTable;
-class vtkScalarBarActor;
-class vtkActor;
-class vtkPolyData;
-class vtkTextActor;
-
 namespace alltact {
 namespace {
-
-/// The camera of a renderer.
-class SceneView {
- public:
-  /// The renderer outlives it.
-  explicit SceneView(vtkRenderer* renderer) : renderer_(renderer) {}
-
-  /// The content that a viewpoint shows.
-  struct Subject {
-    std::vector<Eigen::Vector3d> points;  ///< that must be visible
-    Eigen::Vector3d inward{0, 0, -1};     ///< across the face, towards its camera, camera frame
-    RigidTransform scene_from_camera;
-  };
-  /// Fits everything into a window of this size, less the fraction at the right that `used_width`
-  /// leaves over.
-  void look_at(const Subject& subject, Viewpoint viewpoint, const int* window_px,
-               double used_width);
-  /// As look_at() left it: nobody turned or moved it since.
-  [[nodiscard]] bool is_unchanged() const;
-
-  void turn(double right_deg, double up_deg);
-  void shift(double right_part, double up_part);
-  void dolly(double factor);
-  void set_view_pose(const ViewPose& pose);
-  [[nodiscard]] ViewPose pose() const;
-  /// Call it after anything was drawn at another position than before.
-  void reset_clipping();
-
- private:
-  vtkRenderer* renderer_;
-  std::optional<Eigen::Vector3d> eye_set_;  // the eye that look_at() set
-};
 
 constexpr double kAngle_deg = 25;  // of the view, from top to bottom
 constexpr double kDegree = std::numbers::pi / 180;
@@ -95,234 +56,223 @@ View view_of(Viewpoint viewpoint, const Eigen::Vector3d& inward) {
   return {tilt + inward, {0, -1, 0}};
 }
 
-void SceneView::look_at(const Subject& subject, Viewpoint viewpoint, const int* window_px,
-                        double used_width) {
-  const View view = view_of(viewpoint, subject.inward);
-  const Eigen::Vector3d back = subject.scene_from_camera.direction(view.from.normalized());
-  const Eigen::Vector3d right =
-      subject.scene_from_camera.direction(view.up).cross(back).normalized();
-  const Eigen::Vector3d up = back.cross(right);
-  const double aspect =
-      window_px[0] > 0 && window_px[1] > 0 ? static_cast<double>(window_px[0]) / window_px[1] : 1.6;
-  constexpr double kFilled = 0.95;
-  const double up_slope = kFilled * std::tan(0.5 * kAngle_deg * kDegree);
-  const double left_slope = aspect * up_slope, right_slope = left_slope * (2 * used_width - 1);
-  // In the view's own axes an eye sees a point where x - x_eye <= slope (z_eye - z), and likewise
-  // to the other sides. The eye is as near as possible: on two opposite sides one point lies on the
-  // rim.
-  constexpr double kFar = std::numeric_limits<double>::lowest();
-  double rightmost = kFar, leftmost = kFar, top = kFar, bottom = kFar, nearest = kFar;
-  double furthest = -kFar;
-  for (const Eigen::Vector3d& p : subject.points) {
-    const double x = p.dot(right), y = p.dot(up), z = p.dot(back);
-    rightmost = std::max(rightmost, x + right_slope * z);
-    leftmost = std::max(leftmost, left_slope * z - x);
-    top = std::max(top, y + up_slope * z);
-    bottom = std::max(bottom, up_slope * z - y);
-    nearest = std::max(nearest, z);
-    furthest = std::min(furthest, z);
+/// The camera of a renderer.
+class SceneView {
+ public:
+  /// The renderer outlives it.
+  explicit SceneView(vtkRenderer* renderer) : renderer_(renderer) {}
+
+  /// The content that a viewpoint shows.
+  struct Subject {
+    std::vector<Eigen::Vector3d> points;  ///< that must be visible
+    Eigen::Vector3d inward{0, 0, -1};     ///< across the face, towards its camera, camera frame
+    RigidTransform scene_from_camera;
+  };
+  /// Fits everything into a window of this size, less the fraction at the right that `used_width`
+  /// leaves over.
+  void look_at(const Subject& subject, Viewpoint viewpoint, const int* window_px,
+               double used_width) {
+    const View view = view_of(viewpoint, subject.inward);
+    const Eigen::Vector3d back = subject.scene_from_camera.direction(view.from.normalized());
+    const Eigen::Vector3d right =
+        subject.scene_from_camera.direction(view.up).cross(back).normalized();
+    const Eigen::Vector3d up = back.cross(right);
+    const double aspect = window_px[0] > 0 && window_px[1] > 0
+                              ? static_cast<double>(window_px[0]) / window_px[1]
+                              : 1.6;
+    constexpr double kFilled = 0.95;
+    const double up_slope = kFilled * std::tan(0.5 * kAngle_deg * kDegree);
+    const double left_slope = aspect * up_slope, right_slope = left_slope * (2 * used_width - 1);
+    // In the view's own axes an eye sees a point where x - x_eye <= slope (z_eye - z), and likewise
+    // to the other sides. The eye is as near as possible: on two opposite sides one point lies on
+    // the rim.
+    constexpr double kFar = std::numeric_limits<double>::lowest();
+    double rightmost = kFar, leftmost = kFar, top = kFar, bottom = kFar, nearest = kFar;
+    double furthest = -kFar;
+    for (const Eigen::Vector3d& p : subject.points) {
+      const double x = p.dot(right), y = p.dot(up), z = p.dot(back);
+      rightmost = std::max(rightmost, x + right_slope * z);
+      leftmost = std::max(leftmost, left_slope * z - x);
+      top = std::max(top, y + up_slope * z);
+      bottom = std::max(bottom, up_slope * z - y);
+      nearest = std::max(nearest, z);
+      furthest = std::min(furthest, z);
+    }
+    if (subject.points.empty()) return;
+    const double z_eye = std::max({(rightmost + leftmost) / (right_slope + left_slope),
+                                   (top + bottom) / (2 * up_slope), nearest + 1});
+    const double x_eye = 0.5 * (rightmost - leftmost + (left_slope - right_slope) * z_eye);
+    const double y_eye = 0.5 * (top - bottom);
+    const Eigen::Vector3d eye = x_eye * right + y_eye * up + z_eye * back;
+    set_view_pose({eye, eye - (z_eye - 0.5 * (nearest + furthest)) * back, up});
+    eye_set_ = eye;
   }
-  if (subject.points.empty()) return;
-  const double z_eye = std::max({(rightmost + leftmost) / (right_slope + left_slope),
-                                 (top + bottom) / (2 * up_slope), nearest + 1});
-  const double x_eye = 0.5 * (rightmost - leftmost + (left_slope - right_slope) * z_eye);
-  const double y_eye = 0.5 * (top - bottom);
-  const Eigen::Vector3d eye = x_eye * right + y_eye * up + z_eye * back;
-  set_view_pose({eye, eye - (z_eye - 0.5 * (nearest + furthest)) * back, up});
-  eye_set_ = eye;
-}
+  /// As look_at() left it: nobody turned or moved it since.
+  [[nodiscard]] bool is_unchanged() const {
+    return eye_set_ && (pose().eye - *eye_set_).norm() < 1e-6;
+  }
 
-bool SceneView::is_unchanged() const { return eye_set_ && (pose().eye - *eye_set_).norm() < 1e-6; }
+  void turn(double right_deg, double up_deg) {
+    vtkCamera* camera = renderer_->GetActiveCamera();
+    camera->Azimuth(right_deg);
+    camera->Elevation(up_deg);
+    camera->OrthogonalizeViewUp();
+    reset_clipping();
+  }
+  void shift(double right_part, double up_part) {
+    vtkCamera* camera = renderer_->GetActiveCamera();
+    const ViewPose now = pose();
+    const Eigen::Vector3d up = now.up.normalized();
+    const Eigen::Vector3d right = (now.at - now.eye).cross(up).normalized();
+    const double height =
+        2 * camera->GetDistance() * std::tan(0.5 * camera->GetViewAngle() * kDegree);
+    const Eigen::Vector3d by = -height * (right_part * right + up_part * up);
+    const Eigen::Vector3d new_eye = now.eye + by, new_at = now.at + by;
+    camera->SetPosition(new_eye.data());
+    camera->SetFocalPoint(new_at.data());
+    reset_clipping();
+  }
+  void dolly(double factor) {
+    renderer_->GetActiveCamera()->Dolly(factor);
+    reset_clipping();
+  }
+  void set_view_pose(const ViewPose& pose) {
+    vtkCamera* camera = renderer_->GetActiveCamera();
+    camera->SetViewAngle(kAngle_deg);
+    camera->SetPosition(pose.eye.data());
+    camera->SetFocalPoint(pose.at.data());
+    camera->SetViewUp(pose.up.data());
+    eye_set_.reset();
+    reset_clipping();
+  }
+  [[nodiscard]] ViewPose pose() const {
+    vtkCamera* camera = renderer_->GetActiveCamera();
+    return {Eigen::Vector3d(camera->GetPosition()), Eigen::Vector3d(camera->GetFocalPoint()),
+            Eigen::Vector3d(camera->GetViewUp())};
+  }
+  /// Call it after anything was drawn at another position than before.
+  void reset_clipping() { renderer_->ResetCameraClippingRange(); }
 
-void SceneView::turn(double right_deg, double up_deg) {
-  vtkCamera* camera = renderer_->GetActiveCamera();
-  camera->Azimuth(right_deg);
-  camera->Elevation(up_deg);
-  camera->OrthogonalizeViewUp();
-  reset_clipping();
-}
+ private:
+  vtkRenderer* renderer_;
+  std::optional<Eigen::Vector3d> eye_set_;  // the eye that look_at() set
+};
 
-void SceneView::shift(double right_part, double up_part) {
-  vtkCamera* camera = renderer_->GetActiveCamera();
-  const ViewPose now = pose();
-  const Eigen::Vector3d up = now.up.normalized();
-  const Eigen::Vector3d right = (now.at - now.eye).cross(up).normalized();
-  const double height =
-      2 * camera->GetDistance() * std::tan(0.5 * camera->GetViewAngle() * kDegree);
-  const Eigen::Vector3d by = -height * (right_part * right + up_part * up);
-  const Eigen::Vector3d new_eye = now.eye + by, new_at = now.at + by;
-  camera->SetPosition(new_eye.data());
-  camera->SetFocalPoint(new_at.data());
-  reset_clipping();
-}
-
-void SceneView::dolly(double factor) {
-  renderer_->GetActiveCamera()->Dolly(factor);
-  reset_clipping();
-}
-
-void SceneView::set_view_pose(const ViewPose& pose) {
-  vtkCamera* camera = renderer_->GetActiveCamera();
-  camera->SetViewAngle(kAngle_deg);
-  camera->SetPosition(pose.eye.data());
-  camera->SetFocalPoint(pose.at.data());
-  camera->SetViewUp(pose.up.data());
-  eye_set_.reset();
-  reset_clipping();
-}
-
-ViewPose SceneView::pose() const {
-  vtkCamera* camera = renderer_->GetActiveCamera();
-  return {Eigen::Vector3d(camera->GetPosition()), Eigen::Vector3d(camera->GetFocalPoint()),
-          Eigen::Vector3d(camera->GetViewUp())};
-}
-
-void SceneView::reset_clipping() { renderer_->ResetCameraClippingRange(); }
+constexpr double kWidth = 78, kHeight = 340;  // in pixels at scale 1
 
 class ColourBar {
  public:
   /// The renderer outlives it.
-  explicit ColourBar(vtkRenderer* renderer);
-  ~ColourBar();
-  ColourBar(const ColourBar&) = delete;
-  ColourBar& operator=(const ColourBar&) = delete;
+  explicit ColourBar(vtkRenderer* renderer) {
+    bar_->SetLookupTable(colours_);
+    bar_->SetTitle("mm");
+    bar_->SetLabelFormat("%.2f");
+    bar_->UnconstrainedFontSizeOn();
+    bar_->SetBarRatio(0.28);
+    bar_->SetTextPad(4);
+    bar_->SetVerticalTitleSeparation(10);
+    bar_->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
+    for (vtkTextProperty* text : {bar_->GetLabelTextProperty(), bar_->GetTitleTextProperty()}) {
+      text->ItalicOff();
+      text->BoldOff();
+      text->ShadowOff();
+    }
+    bar_->VisibilityOff();
+    renderer->AddActor2D(bar_);
+  }
 
-  void show(bool is_shown);
-  void set_scale(const ColourScale& scale);
-  void apply_style(const cv::Vec3b& text);
+  void show(bool is_shown) { bar_->SetVisibility(is_shown); }
+  void set_scale(const ColourScale& scale) {
+    constexpr int kSteps = 256;
+    colours_->SetNumberOfTableValues(kSteps);
+    colours_->SetTableRange(scale.low_mm, scale.top_mm);
+    // As many as make zero one of them.
+    bar_->SetNumberOfLabels(scale.steps < 4 ? 2 * scale.steps + 1 : scale.steps + 1);
+    for (int i = 0; i < kSteps; ++i) {
+      const MapColour c = scale.colour(static_cast<double>(i) / (kSteps - 1));
+      colours_->SetTableValue(i, c.red / 255.0, c.green / 255.0, c.blue / 255.0, 1);
+    }
+    colours_->Build();
+  }
+  void apply_style(const cv::Vec3b& text) {
+    for (vtkTextProperty* property : {bar_->GetLabelTextProperty(), bar_->GetTitleTextProperty()}) {
+      property->SetColor(text[0] / 255.0, text[1] / 255.0, text[2] / 255.0);
+      property->SetFontSize(kLetterPoints);
+    }
+  }
   /// At the right, as wide as its letters need.
-  void set_position(const int* window_px, double pixels_per_unit);
+  void set_position(const int* window_px, double pixels_per_unit) {
+    if (window_px[0] <= 0 || window_px[1] <= 0) return;
+    const double left = free_fraction(window_px, pixels_per_unit);
+    const double height = std::min(0.7, kHeight * pixels_per_unit / window_px[1]);
+    bar_->SetPosition(left, 0.5 * (1 - height));
+    bar_->SetWidth(1 - left);
+    bar_->SetHeight(height);
+  }
   /// Fraction of the window's width that stays free of it.
-  [[nodiscard]] static double free_fraction(const int* window_px, double pixels_per_unit);
+  [[nodiscard]] static double free_fraction(const int* window_px, double pixels_per_unit) {
+    if (window_px[0] <= 0) return 0.8;
+    return 1 - std::min(0.4, kWidth * pixels_per_unit / window_px[0]);
+  }
 
  private:
   vtkNew<vtkScalarBarActor> bar_;
   vtkNew<vtkLookupTable> colours_;
 };
 
-constexpr double kWidth = 78, kHeight = 340;  // in pixels at scale 1
-
-ColourBar::ColourBar(vtkRenderer* renderer) {
-  bar_->SetLookupTable(colours_);
-  bar_->SetTitle("mm");
-  bar_->SetLabelFormat("%.2f");
-  bar_->UnconstrainedFontSizeOn();
-  bar_->SetBarRatio(0.28);
-  bar_->SetTextPad(4);
-  bar_->SetVerticalTitleSeparation(10);
-  bar_->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
-  for (vtkTextProperty* text : {bar_->GetLabelTextProperty(), bar_->GetTitleTextProperty()}) {
-    text->ItalicOff();
-    text->BoldOff();
-    text->ShadowOff();
-  }
-  bar_->VisibilityOff();
-  renderer->AddActor2D(bar_);
-}
-
-ColourBar::~ColourBar() = default;
-
-void ColourBar::show(bool is_shown) { bar_->SetVisibility(is_shown); }
-
-void ColourBar::set_scale(const ColourScale& scale) {
-  constexpr int kSteps = 256;
-  colours_->SetNumberOfTableValues(kSteps);
-  colours_->SetTableRange(scale.low_mm, scale.top_mm);
-  // As many as make zero one of them.
-  bar_->SetNumberOfLabels(scale.steps < 4 ? 2 * scale.steps + 1 : scale.steps + 1);
-  for (int i = 0; i < kSteps; ++i) {
-    const MapColour c = scale.colour(static_cast<double>(i) / (kSteps - 1));
-    colours_->SetTableValue(i, c.red / 255.0, c.green / 255.0, c.blue / 255.0, 1);
-  }
-  colours_->Build();
-}
-
-void ColourBar::apply_style(const cv::Vec3b& text) {
-  for (vtkTextProperty* property : {bar_->GetLabelTextProperty(), bar_->GetTitleTextProperty()}) {
-    property->SetColor(text[0] / 255.0, text[1] / 255.0, text[2] / 255.0);
-    property->SetFontSize(kLetterPoints);
-  }
-}
-
-void ColourBar::set_position(const int* window_px, double pixels_per_unit) {
-  if (window_px[0] <= 0 || window_px[1] <= 0) return;
-  const double left = free_fraction(window_px, pixels_per_unit);
-  const double height = std::min(0.7, kHeight * pixels_per_unit / window_px[1]);
-  bar_->SetPosition(left, 0.5 * (1 - height));
-  bar_->SetWidth(1 - left);
-  bar_->SetHeight(height);
-}
-
-double ColourBar::free_fraction(const int* window_px, double pixels_per_unit) {
-  if (window_px[0] <= 0) return 0.8;
-  return 1 - std::min(0.4, kWidth * pixels_per_unit / window_px[0]);
-}
+constexpr double kMark[3] = {1.0, 0.72, 0.0};
 
 class MarkActors {
  public:
   /// The renderer outlives them.
-  explicit MarkActors(vtkRenderer* renderer);
-  ~MarkActors();
-  MarkActors(const MarkActors&) = delete;
-  MarkActors& operator=(const MarkActors&) = delete;
+  explicit MarkActors(vtkRenderer* renderer)
+      : lines_(line_actor(line_data_, 60)), points_(line_actor(point_data_, 60)) {
+    points_->GetProperty()->SetRenderPointsAsSpheres(true);
+    for (const auto& actor : {lines_, points_}) {
+      actor->GetProperty()->SetColor(kMark[0], kMark[1], kMark[2]);
+      renderer->AddActor(actor);
+    }
+    for (std::size_t i = 0; i < names_.size(); ++i) {
+      const char name[] = {' ', ' ', static_cast<char>('A' + i), '\0'};
+      names_[i]->SetInput(name);
+      names_[i]->GetPositionCoordinate()->SetCoordinateSystemToWorld();
+      names_[i]->GetTextProperty()->SetBold(true);
+      names_[i]->GetTextProperty()->SetColor(kMark[0], kMark[1], kMark[2]);
+      names_[i]->GetTextProperty()->SetShadow(true);
+      names_[i]->VisibilityOff();
+      renderer->AddActor2D(names_[i]);
+    }
+  }
 
   struct Point {
     std::size_t letter;  ///< 0: A, 1: B
     Eigen::Vector3d at;
   };
   void draw(const std::vector<Point>& points,
-            const std::vector<std::vector<Eigen::Vector3d>>& lines);
-  void apply_style(double pixels_per_unit);
+            const std::vector<std::vector<Eigen::Vector3d>>& lines) {
+    std::vector<Eigen::Vector3d> positions;
+    for (const auto& name : names_) name->VisibilityOff();
+    for (const Point& point : points) {
+      positions.push_back(point.at);
+      if (point.letter >= names_.size()) continue;
+      names_[point.letter]->VisibilityOn();
+      names_[point.letter]->GetPositionCoordinate()->SetValue(point.at.x(), point.at.y(),
+                                                              point.at.z());
+    }
+    set_points(point_data_, positions);
+    set_lines(line_data_, lines);
+  }
+  void apply_style(double pixels_per_unit) {
+    lines_->GetProperty()->SetLineWidth(static_cast<float>(3 * pixels_per_unit));
+    points_->GetProperty()->SetPointSize(static_cast<float>(12 * pixels_per_unit));
+    for (const auto& name : names_) name->GetTextProperty()->SetFontSize(kLetterPoints + 3);
+  }
 
  private:
   vtkNew<vtkPolyData> line_data_, point_data_;
   vtkSmartPointer<vtkActor> lines_, points_;
   std::array<vtkNew<vtkTextActor>, 2> names_;
 };
-
-constexpr double kMark[3] = {1.0, 0.72, 0.0};
-
-MarkActors::MarkActors(vtkRenderer* renderer)
-    : lines_(line_actor(line_data_, 60)), points_(line_actor(point_data_, 60)) {
-  points_->GetProperty()->SetRenderPointsAsSpheres(true);
-  for (const auto& actor : {lines_, points_}) {
-    actor->GetProperty()->SetColor(kMark[0], kMark[1], kMark[2]);
-    renderer->AddActor(actor);
-  }
-  for (std::size_t i = 0; i < names_.size(); ++i) {
-    const char name[] = {' ', ' ', static_cast<char>('A' + i), '\0'};
-    names_[i]->SetInput(name);
-    names_[i]->GetPositionCoordinate()->SetCoordinateSystemToWorld();
-    names_[i]->GetTextProperty()->SetBold(true);
-    names_[i]->GetTextProperty()->SetColor(kMark[0], kMark[1], kMark[2]);
-    names_[i]->GetTextProperty()->SetShadow(true);
-    names_[i]->VisibilityOff();
-    renderer->AddActor2D(names_[i]);
-  }
-}
-
-MarkActors::~MarkActors() = default;
-
-void MarkActors::draw(const std::vector<Point>& points,
-                      const std::vector<std::vector<Eigen::Vector3d>>& lines) {
-  std::vector<Eigen::Vector3d> positions;
-  for (const auto& name : names_) name->VisibilityOff();
-  for (const Point& point : points) {
-    positions.push_back(point.at);
-    if (point.letter >= names_.size()) continue;
-    names_[point.letter]->VisibilityOn();
-    names_[point.letter]->GetPositionCoordinate()->SetValue(point.at.x(), point.at.y(),
-                                                            point.at.z());
-  }
-  set_points(point_data_, positions);
-  set_lines(line_data_, lines);
-}
-
-void MarkActors::apply_style(double pixels_per_unit) {
-  lines_->GetProperty()->SetLineWidth(static_cast<float>(3 * pixels_per_unit));
-  points_->GetProperty()->SetPointSize(static_cast<float>(12 * pixels_per_unit));
-  for (const auto& name : names_) name->GetTextProperty()->SetFontSize(kLetterPoints + 3);
-}
 
 constexpr double kGripperAxis_mm = 20;
 

@@ -61,8 +61,6 @@ FingerActors::FingerActors(vtkRenderer* renderer)
   hide();
 }
 
-FingerActors::~FingerActors() = default;
-
 void FingerActors::show(const FaceSurface& surface, const cv::Mat& other_mm) {
   surface_ = surface;
   other_mm_ = other_mm;
@@ -264,8 +262,6 @@ Axes::Axes(vtkRenderer* renderer, double length_mm) : length_mm_(length_mm) {
   set_pose({});
 }
 
-Axes::~Axes() = default;
-
 void Axes::set_names(const std::array<std::string, 3>& names) {
   for (std::size_t i = 0; i < 3; ++i) names_[i]->SetInput(names[i].c_str());
 }
@@ -391,8 +387,6 @@ BodyActors::BodyActors(vtkRenderer* renderer)
   set_viewpoint(false, false);
 }
 
-BodyActors::~BodyActors() = default;
-
 std::array<vtkActor*, 6> BodyActors::all() const {
   return {walls_, base_, edges_, back_, seen_, guessed_};
 }
@@ -487,8 +481,6 @@ Ruler::Ruler(vtkRenderer* renderer) : lines_(line_actor(data_, 15)) {
   }
   hide();
 }
-
-Ruler::~Ruler() = default;
 
 void Ruler::hide() {
   lines_->VisibilityOff();

@@ -13,23 +13,14 @@
 #include <vector>
 
 #include <Eigen/Core>
+#include <vtkActor.h>
 #include <vtkNew.h>
+#include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
+#include <vtkTextActor.h>
 
-class vtkActor;
-class vtkPolyData;
-class vtkRenderer;
-class vtkTextActor;
-class vtkActor;
 class vtkMatrix4x4;
-class vtkPolyData;
 class vtkRenderer;
-class vtkActor;
-class vtkPolyData;
-class vtkRenderer;
-class vtkTextActor;
-class vtkActor;
-class vtkPolyData;
 
 namespace alltact {
 
@@ -40,9 +31,6 @@ class Axes {
  public:
   /// The renderer outlives them.
   Axes(vtkRenderer* renderer, double length_mm);
-  ~Axes();
-  Axes(const Axes&) = delete;
-  Axes& operator=(const Axes&) = delete;
 
   void set_names(const std::array<std::string, 3>& names);
   void set_pose(const RigidTransform& scene_from_frame);
@@ -69,9 +57,6 @@ class BodyActors {
  public:
   /// The renderer outlives them.
   explicit BodyActors(vtkRenderer* renderer);
-  ~BodyActors();
-  BodyActors(const BodyActors&) = delete;
-  BodyActors& operator=(const BodyActors&) = delete;
 
   void draw(const FingerBody& body, const std::vector<SurfaceMarker>& markers);
   void show(bool is_shown);
@@ -98,9 +83,6 @@ class Ruler {
  public:
   /// The renderer outlives it.
   explicit Ruler(vtkRenderer* renderer);
-  ~Ruler();
-  Ruler(const Ruler&) = delete;
-  Ruler& operator=(const Ruler&) = delete;
 
   /// `times`: factor on heights; 0: there are none.
   void draw(const FaceSurface& surface, double exaggeration,
@@ -134,9 +116,6 @@ class FingerActors {
  public:
   /// The renderer outlives it.
   explicit FingerActors(vtkRenderer* renderer);
-  ~FingerActors();
-  FingerActors(const FingerActors&) = delete;
-  FingerActors& operator=(const FingerActors&) = delete;
 
   /// other_mm: empty, or the depth that is subtracted before colouring.
   void show(const FaceSurface& surface, const cv::Mat& other_mm);

@@ -37,9 +37,6 @@
 #include <vtkRendererCollection.h>
 #include <vtkWindowToImageFilter.h>
 
-class QEvent;
-class QWidget;
-
 namespace alltact {
 namespace {
 
@@ -59,17 +56,17 @@ class Interactor : public vtkRenderWindowInteractor {
   bool take(const QWidget& widget, QEvent& event);
 
  protected:
-  Interactor();
-  ~Interactor() override;
+  Interactor() = default;
+  ~Interactor() override = default;
   int InternalCreateTimer(int timer_id, int timer_type, unsigned long duration_ms) override;
   int InternalDestroyTimer(int platform_timer_id) override;
 
  private:
-  struct Timers;
   bool take_mouse(double ratio, QEvent& event);
   bool take_wheel(double ratio, QEvent& event);
 
-  std::unique_ptr<Timers> timers_;
+  std::map<int, std::unique_ptr<QTimer>> timers_;  // running ones, by their id
+  int last_timer_ = 0;
   int wheel_ = 0;  // eighths of a degree not yet passed on
 };
 
@@ -89,19 +86,10 @@ unsigned long vtk_event_of(QEvent::Type type, Qt::MouseButton button) {
   }
 }
 
-struct Interactor::Timers {
-  std::map<int, std::unique_ptr<QTimer>> running;
-  int last_id = 0;
-};
-
 vtkStandardNewMacro(Interactor);
 
-Interactor::Interactor() : timers_(std::make_unique<Timers>()) {}
-
-Interactor::~Interactor() = default;
-
 int Interactor::InternalCreateTimer(int timer_id, int timer_type, unsigned long duration_ms) {
-  const int id = ++timers_->last_id;
+  const int id = ++last_timer_;
   auto timer = std::make_unique<QTimer>();
   timer->setSingleShot(timer_type == OneShotTimer);
   QObject::connect(timer.get(), &QTimer::timeout, timer.get(), [this, timer_id, timer_type]() {
@@ -110,17 +98,17 @@ int Interactor::InternalCreateTimer(int timer_id, int timer_type, unsigned long 
     if (timer_type == OneShotTimer) DestroyTimer(timer_id);
   });
   timer->start(static_cast<int>(duration_ms));
-  timers_->running[id] = std::move(timer);
+  timers_[id] = std::move(timer);
   return id;
 }
 
 int Interactor::InternalDestroyTimer(int platform_timer_id) {
-  const auto found = timers_->running.find(platform_timer_id);
-  if (found == timers_->running.end()) return 0;
+  const auto found = timers_.find(platform_timer_id);
+  if (found == timers_.end()) return 0;
   // It may be the timer whose event is being handled.
   found->second->stop();
   found->second.release()->deleteLater();
-  timers_->running.erase(found);
+  timers_.erase(found);
   return 1;
 }
 
@@ -198,20 +186,6 @@ class RenderWindow : public vtkGenericOpenGLRenderWindow {
   ~RenderWindow() override = default;
 };
 
-/// Suppresses VTK's warnings while it lives.
-class NoWarnings {
- public:
-  NoWarnings() : were_on_(vtkObject::GetGlobalWarningDisplay()) {
-    vtkObject::GlobalWarningDisplayOff();
-  }
-  ~NoWarnings() { vtkObject::SetGlobalWarningDisplay(were_on_); }
-  NoWarnings(const NoWarnings&) = delete;
-  NoWarnings& operator=(const NoWarnings&) = delete;
-
- private:
-  int were_on_;
-};
-
 /// There is a current context of OpenGL 3.2 or later.
 bool is_usable() {
   const auto* version = reinterpret_cast<const char*>(glGetString(GL_VERSION));
@@ -223,10 +197,10 @@ bool is_usable() {
 vtkStandardNewMacro(RenderWindow);
 
 void RenderWindow::OpenGLInitContext() {
-  {
-    const NoWarnings quiet;
-    vtkGenericOpenGLRenderWindow::OpenGLInitContext();
-  }
+  const int were_warnings_on = vtkObject::GetGlobalWarningDisplay();
+  vtkObject::GlobalWarningDisplayOff();
+  vtkGenericOpenGLRenderWindow::OpenGLInitContext();
+  vtkObject::SetGlobalWarningDisplay(were_warnings_on);
   if (!Initialized && is_usable()) {
     GlewInitValid = true;
     Initialized = true;

@@ -31,9 +31,9 @@ QString text_of(const fs::path& path) { return QString::fromStdString(path.strin
 ExportDialog::ExportDialog(const fs::path& finger, QWidget* parent)
     : FittedDialog(parent),
       finger_((finger / "").parent_path()),
-      intro_(new QLabel),
+      intro_(wrapped_label()),
       verdict_symbol_(new QLabel),
-      verdict_(new QLabel),
+      verdict_(wrapped_label()),
       folder_label_(new QLabel),
       folder_(new QLineEdit),
       command_(new QLineEdit),
@@ -45,10 +45,8 @@ ExportDialog::ExportDialog(const fs::path& finger, QWidget* parent)
       outcome_(new ProblemList),
       buttons_(new QDialogButtonBox(QDialogButtonBox::Close)) {
   auto* column = new QVBoxLayout(this);
-  intro_->setWordWrap(true);
   column->addWidget(intro_);
   auto* worth = new QHBoxLayout;
-  verdict_->setWordWrap(true);
   worth->addWidget(verdict_symbol_, 0, Qt::AlignTop);
   worth->addWidget(verdict_, 1);
   column->addLayout(worth);
@@ -71,7 +69,11 @@ ExportDialog::ExportDialog(const fs::path& finger, QWidget* parent)
   for (QLineEdit* line : {folder_, command_}) show_text_as_tip(*line);
   folder_->setText(text_of(finger_.parent_path() / (finger_.filename().string() + "-export")));
   connect(folder_, &QLineEdit::textChanged, this, &ExportDialog::show_command);
-  connect(choose_, &QPushButton::clicked, this, &ExportDialog::choose_folder);
+  connect(choose_, &QPushButton::clicked, this, [this] {
+    ask_for_folder(
+        this, tr("Folder for the files"),
+        [this](const QString& folder) { folder_->setText(folder); }, folder_->text());
+  });
   connect(write_, &QPushButton::clicked, this, &ExportDialog::write);
   connect(stop_, &QPushButton::clicked, &work_, &BackgroundWork::stop);
   connect(copy_, &QPushButton::clicked, this,
@@ -203,14 +205,6 @@ QString ExportDialog::command_line() const {
       export_command(finger_, forms(), folder_->text().trimmed().toStdString()));
 }
 
-void ExportDialog::choose_folder() {
-  auto* dialog = new QFileDialog(this, tr("Folder for the files"), folder_->text());
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(QFileDialog::Directory);
-  connect(dialog, &QFileDialog::fileSelected, folder_, &QLineEdit::setText);
-  dialog->show();
-}
-
 void ExportDialog::show_command() {
   const bool is_complete = !forms().empty() && !folder_->text().trimmed().isEmpty();
   command_->setText(is_complete ? command_line() : QString());
@@ -229,8 +223,8 @@ void ExportDialog::show_running(bool is_running) {
 void ExportDialog::write() {
   const fs::path folder = folder_->text().trimmed().toStdString();
   std::vector<Problem> problems;
-  if (forms().empty()) problems.push_back({Meaning::kBad, tr("Nothing is selected."), {}, {}});
-  if (folder.empty()) problems.push_back({Meaning::kBad, tr("No folder is chosen."), {}, {}});
+  if (forms().empty()) problems.push_back({Meaning::kBad, tr("Nothing is selected.")});
+  if (folder.empty()) problems.push_back({Meaning::kBad, tr("No folder is chosen.")});
   outcome_->set_problems(problems);
   if (!problems.empty()) return;
   show_running(true);
@@ -259,10 +253,7 @@ void ExportDialog::show_outcome(const Status& status, const std::vector<fs::path
   if (!left_out.empty())
     rows.push_back({Meaning::kDoubtful,
                     tr("%n recording(s) that this finger does not use are left out of the zip.",
-                       nullptr, static_cast<int>(left_out.size())),
-                    {},
-                    {},
-                    {}});
+                       nullptr, static_cast<int>(left_out.size()))});
   if (!written.empty()) {
     QStringList names;
     for (const fs::path& file : written) names << text_of(file.filename());

@@ -38,7 +38,6 @@ class ExportDialog : public FittedDialog {
   [[nodiscard]] QLayout* make_command_row();
   void name_forms();
   void show_verdict();
-  void choose_folder();
   void show_command();
   void show_running(bool is_running);
   void write();

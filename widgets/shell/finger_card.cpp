@@ -420,7 +420,12 @@ FingerListDialog::FingerListDialog(std::vector<fs::path> known, QWidget* parent)
   connect(list_, &QTreeWidget::itemActivated, this, &FingerListDialog::open_chosen);
   connect(list_, &QTreeWidget::currentItemChanged, this, &FingerListDialog::follow_choice);
   connect(open_, &QPushButton::clicked, this, &FingerListDialog::open_chosen);
-  connect(folder_, &QPushButton::clicked, this, &FingerListDialog::choose_folder);
+  connect(folder_, &QPushButton::clicked, this, [this] {
+    ask_for_folder(this, tr("Folder with fingers"), [this](const QString& folder) {
+      folders_.insert(folder.toStdString());
+      read();
+    });
+  });
   connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
   resize(920, 460);
   say([this] {
@@ -480,17 +485,6 @@ void FingerListDialog::fill() {
 }
 
 void FingerListDialog::follow_choice() { open_->setEnabled(list_->currentItem() != nullptr); }
-
-void FingerListDialog::choose_folder() {
-  auto* dialog = new QFileDialog(this, tr("Folder with fingers"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(QFileDialog::Directory);
-  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& folder) {
-    folders_.insert(folder.toStdString());
-    read();
-  });
-  dialog->show();
-}
 
 void FingerListDialog::open_chosen() {
   const QTreeWidgetItem* chosen = list_->currentItem();

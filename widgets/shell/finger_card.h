@@ -125,7 +125,6 @@ class FingerListDialog : public FittedDialog {
  private:
   void read();
   void fill();
-  void choose_folder();
   void open_chosen();
   void follow_choice();
 

@@ -10,9 +10,8 @@
 
 namespace alltact {
 
-NewFingerDialog::NewFingerDialog(FingerMaker maker, QWidget* parent)
+NewFingerDialog::NewFingerDialog(QWidget* parent)
     : FittedDialog(parent),
-      maker_(std::move(maker)),
       form_(new QFormLayout),
       folder_(new QLineEdit),
       camera_(new QLineEdit),
@@ -26,11 +25,10 @@ NewFingerDialog::NewFingerDialog(FingerMaker maker, QWidget* parent)
       per_row_(new IntegerField),
       folder_row_(with_button(folder_, choose_folder_)),
       camera_row_(with_button(camera_, choose_camera_)),
-      intro_(new QLabel),
+      intro_(wrapped_label()),
       problems_(new ProblemList),
       buttons_(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel)) {
   auto* layout = new QVBoxLayout(this);
-  intro_->setWordWrap(true);
   layout->addWidget(intro_);
   layout->addWidget(problems_);
   layout->addLayout(form_);
@@ -47,14 +45,17 @@ NewFingerDialog::NewFingerDialog(FingerMaker maker, QWidget* parent)
   per_row_->setValue(6);
   form_->addRow(new QLabel, folder_row_);
   form_->addRow(new QLabel, camera_row_);
-  for (QWidget* field : {static_cast<QWidget*>(kind_), static_cast<QWidget*>(width_),
-                         static_cast<QWidget*>(layer_), static_cast<QWidget*>(plane_),
-                         static_cast<QWidget*>(per_row_), static_cast<QWidget*>(polarity_)})
+  for (QWidget* field :
+       std::initializer_list<QWidget*>{kind_, width_, layer_, plane_, per_row_, polarity_})
     form_->addRow(new QLabel, field);
   for (QLineEdit* line : {folder_, camera_}) show_text_as_tip(*line);
   connect(kind_, &QComboBox::currentIndexChanged, this, &NewFingerDialog::show_kind);
   connect(choose_folder_, &QPushButton::clicked, this, &NewFingerDialog::choose_folder);
-  connect(choose_camera_, &QPushButton::clicked, this, &NewFingerDialog::choose_camera);
+  connect(choose_camera_, &QPushButton::clicked, this, [this] {
+    ask_for_file(
+        this, tr("Camera file"), tr("Camera (*.yaml *.yml)"),
+        [this](const QString& file) { camera_->setText(file); }, camera_->text());
+  });
   connect(buttons_, &QDialogButtonBox::accepted, this, &NewFingerDialog::make);
   connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
   say([this] {
@@ -94,8 +95,7 @@ NewFingerDialog::NewFingerDialog(FingerMaker maker, QWidget* parent)
 
 QWidget* NewFingerDialog::with_button(QLineEdit* line, QPushButton* button) {
   auto* row = new QWidget;
-  auto* layout = new QHBoxLayout(row);
-  layout->setContentsMargins(0, 0, 0, 0);
+  auto* layout = without_margins(new QHBoxLayout(row));
   layout->addWidget(line, 1);
   layout->addWidget(button);
   line->setMinimumWidth(260);
@@ -131,8 +131,7 @@ void NewFingerDialog::set_description(const NewFinger& known) {
 
 void NewFingerDialog::show_kind() {
   const bool is_flat = kind_->currentIndex() == 1;
-  for (QWidget* field : {static_cast<QWidget*>(width_), static_cast<QWidget*>(per_row_),
-                         static_cast<QWidget*>(polarity_)}) {
+  for (QWidget* field : std::initializer_list<QWidget*>{width_, per_row_, polarity_}) {
     field->setVisible(!is_flat);
     form_->labelForField(field)->setVisible(!is_flat);
   }
@@ -142,19 +141,9 @@ void NewFingerDialog::show_kind() {
 
 void NewFingerDialog::choose_folder() {
   auto* dialog = new QFileDialog(this, tr("New folder"), folder_->text());
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   connect(dialog, &QFileDialog::fileSelected, folder_, &QLineEdit::setText);
-  dialog->show();
-}
-
-void NewFingerDialog::choose_camera() {
-  auto* dialog =
-      new QFileDialog(this, tr("Camera file"), camera_->text(), tr("Camera (*.yaml *.yml)"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(QFileDialog::ExistingFile);
-  connect(dialog, &QFileDialog::fileSelected, camera_, &QLineEdit::setText);
-  dialog->show();
+  show_dialog(*dialog);
 }
 
 void NewFingerDialog::make() {
@@ -167,21 +156,18 @@ void NewFingerDialog::make() {
   per_row_->interpretText();
   const NewFinger finger = description();
   std::vector<Problem> problems;
-  if (finger.finger.empty())
-    problems.push_back({Meaning::kBad, tr("No folder is chosen."), {}, {}});
+  if (finger.finger.empty()) problems.push_back({Meaning::kBad, tr("No folder is chosen.")});
   if (finger.camera.empty())
-    problems.push_back({Meaning::kBad,
-                        tr("No camera file is specified."),
-                        tr("The first step of the Calibrate page creates it."),
-                        {}});
+    problems.push_back({Meaning::kBad, tr("No camera file is specified."),
+                        tr("The first step of the Calibrate page creates it.")});
   problems_->set_problems(problems);
   if (!problems.empty()) return;
   buttons_->setEnabled(false);
-  work_.start([this, finger, maker = maker_](const Job&) {
-    const Status status = maker(finger);
-    return std::function<void()>([this, finger, status] {
+  work_.start([this, finger](const Job&) {
+    const auto created = make_finger(finger);
+    return std::function<void()>([this, finger, created] {
       buttons_->setEnabled(true);
-      if (!status) return problems_->set_problems({Problem::of(status.error())});
+      if (!created) return problems_->set_problems({Problem::of(created.error())});
       Q_EMIT made(QString::fromStdString(finger.finger.string()));
       accept();
     });

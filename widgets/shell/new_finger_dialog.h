@@ -18,13 +18,10 @@
 
 namespace alltact {
 
-/// Makes the folder; runs on a thread of its own.
-using FingerMaker = std::function<Status(const NewFinger&)>;
-
 class NewFingerDialog : public FittedDialog {
   Q_OBJECT
  public:
-  explicit NewFingerDialog(FingerMaker maker, QWidget* parent = nullptr);
+  explicit NewFingerDialog(QWidget* parent = nullptr);
   [[nodiscard]] NewFinger description() const;
   /// Fills in known values; values of 0 and empty paths are unknown.
   void set_description(const NewFinger& known);
@@ -35,11 +32,9 @@ class NewFingerDialog : public FittedDialog {
  private:
   [[nodiscard]] QWidget* with_button(QLineEdit* line, QPushButton* button);
   void show_kind();
-  void choose_camera();
   void choose_folder();
   void make();
 
-  FingerMaker maker_;
   QFormLayout* form_;
   QLineEdit *folder_, *camera_;
   QPushButton *choose_folder_, *choose_camera_;

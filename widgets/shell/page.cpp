@@ -41,8 +41,7 @@ SidePanel::SidePanel(int min_width_px) : root(new QWidget) {
   auto* scrolled = new SideColumn(min_width_px);
   column = new QVBoxLayout(scrolled->widget());
   column->setContentsMargins(4, 0, 2, 0);
-  auto* all = new QVBoxLayout(root);
-  all->setContentsMargins(0, 0, 0, 0);
+  auto* all = without_margins(new QVBoxLayout(root));
   all->addWidget(scrolled, 1);
   foot = new QVBoxLayout;
   foot->setContentsMargins(4, 0, 2, 0);

@@ -18,10 +18,10 @@ namespace alltact {
 
 struct Problem {
   Meaning meaning = Meaning::kBad;
-  QString what;    ///< a sentence
-  QString advice;  ///< a sentence; may be empty
+  QString what;         ///< a sentence
+  QString advice = {};  ///< a sentence; may be empty
   /// Label of a button; empty for none.
-  QString action;
+  QString action = {};
   std::function<void()> on_action = {};
   /// The library's error; `what` and `advice` are its translation into the window's language.
   std::optional<Error> cause = {};

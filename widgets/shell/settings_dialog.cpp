@@ -19,7 +19,7 @@ SettingsDialog::SettingsDialog(const Appearance& now, Pedal* pedal, QWidget* par
       theme_label_(new QLabel),
       language_label_(new QLabel),
       pedal_label_(new QLabel),
-      pedal_text_(new QLabel),
+      pedal_text_(wrapped_label()),
       theme_(new QComboBox),
       language_(new QComboBox),
       learn_(new QPushButton),
@@ -68,15 +68,13 @@ SettingsDialog::SettingsDialog(const Appearance& now, Pedal* pedal, QWidget* par
 
 QWidget* SettingsDialog::make_pedal() {
   auto* container = new QWidget;
-  auto* column = new QVBoxLayout(container);
-  column->setContentsMargins(0, 0, 0, 0);
+  auto* column = without_margins(new QVBoxLayout(container));
   auto* row = new QHBoxLayout;
   row->addWidget(learn_);
   row->addWidget(forget_);
   row->addStretch();
   column->addWidget(pedal_text_);
   column->addLayout(row);
-  pedal_text_->setWordWrap(true);
   pedal_text_->setMinimumWidth(240);
   pedal_label_->setBuddy(learn_);
   connect(learn_, &QPushButton::clicked, this, [this] {

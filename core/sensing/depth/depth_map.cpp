@@ -4,7 +4,6 @@
 #include "core/numerics/dispatch.h"
 #include "core/numerics/image_noise.h"
 #include "core/numerics/vector_loops.h"
-#include "core/sensing/depth/depth_rows.h"
 #include "core/sensing/depth/smoothing.h"
 #include "core/sensing/reference/image_warp.h"
 
@@ -23,6 +22,178 @@
 
 namespace alltact {
 namespace {
+
+// Loops over one pixel row from brightness to differences and flags.
+
+constexpr float kNoDifference = std::numeric_limits<float>::quiet_NaN();
+constexpr std::int16_t kCeiling = kClippedFrom * kGreySteps;
+
+/// Converts both brightnesses of a row to steps (image_warp.h). True when every pixel of it can be
+/// measured, as in nearly all rows. darkest: minimum of the reference, in steps.
+ALLTACT_WIDE bool copy_row(const std::uint8_t* __restrict grey,
+                           const std::int16_t* __restrict reference, std::int16_t darkest,
+                           int count, std::int16_t* __restrict live_out,
+                           std::int16_t* __restrict reference_out) {
+  // By lane of a block; reduced once at the end, not in every block.
+  std::array<std::int16_t, kBlock> brightest{}, darkest_seen;
+  darkest_seen.fill(kCeiling);
+  in_blocks(
+      count, [&](int first, auto size) __attribute__((always_inline)) {
+        for (int k = 0; k < size; ++k) {
+          const int u = first + k;
+          const auto live = static_cast<std::int16_t>(grey[u] * kGreySteps);
+          const std::int16_t ref = reference[u];
+          live_out[u] = live;
+          reference_out[u] = ref;
+          const std::int16_t brighter = live > ref ? live : ref;
+          std::int16_t& max_value = brightest[static_cast<std::size_t>(k)];
+          std::int16_t& min_value = darkest_seen[static_cast<std::size_t>(k)];
+          max_value = brighter > max_value ? brighter : max_value;
+          min_value = ref < min_value ? ref : min_value;
+        }
+      });
+  return max_of(brightest) < kCeiling && min_of(darkest_seen) >= darkest;
+}
+
+/// Flags each pixel of a copied row that cannot be measured (depth_map.h), and sets both
+/// brightnesses to 0 there.
+ALLTACT_WIDE void mark_row(std::int16_t darkest, int count, std::int16_t* __restrict live,
+                           std::int16_t* __restrict reference, std::uint8_t* __restrict flags) {
+  constexpr std::int16_t measured = kMeasured, unknown = kNoReference, dark = kTooDark,
+                         clipped = kSaturated;
+  for (int u = 0; u < count; ++u) {
+    const std::int16_t ref = reference[u], now = live[u];
+    // The last reason wins; each pixel takes the same steps, so that the loop is vectorised.
+    std::int16_t flag = now >= kCeiling ? clipped : measured;
+    flag = ref >= kCeiling ? clipped : flag;
+    flag = ref < darkest ? dark : flag;
+    flag = ref == kNoGrey ? unknown : flag;
+    // A mask: a conditional would become a branch.
+    const auto mask = static_cast<std::int16_t>(-static_cast<std::int16_t>(flag == measured));
+    flags[u] = static_cast<std::uint8_t>(flag);
+    live[u] = static_cast<std::int16_t>(now & mask);
+    reference[u] = static_cast<std::int16_t>(ref & mask);
+  }
+}
+
+constexpr float kMinKernelPart = 0.2F;  // of the kernel: 0.3 is left in a corner of the face
+
+constexpr std::array<float, kBlock> kBlockIndices = [] {
+  std::array<float, kBlock> indices{};
+  for (std::size_t k = 0; k < indices.size(); ++k) indices[k] = static_cast<float>(k);
+  return indices;
+}();
+
+/// A smoothed row, its smoothed reference, and the reference before smoothing.
+struct SmoothRow {
+  const std::int16_t *live, *reference, *raw;
+};
+
+/// Fast path of divide_row() for rows without flags. Returns false where a pixel needs a flag,
+/// which few rows do.
+ALLTACT_WIDE bool divide_plain_row(const SmoothRow& row, const std::array<float, 3>& light,
+                                   int first_column, float x_max, int count, float* __restrict x) {
+  const SmoothRow from = row;
+  const float constant = light[0], slope = light[1], bow = light[2];
+  std::array<std::int32_t, kBlock> special{};
+  in_blocks(
+      count, [&](int first, auto size) __attribute__((always_inline)) {
+        const auto begin = static_cast<float>(first_column + first);
+        for (int k = 0; k < size; ++k) {
+          const int u = first + k;
+          const float column = begin + kBlockIndices[static_cast<std::size_t>(k)];
+          const float correction = constant + column * (slope + column * bow);
+          const auto here = static_cast<float>(from.raw[u]);
+          const auto below = static_cast<float>(from.reference[u]);
+          const float value = (below - correction * static_cast<float>(from.live[u])) / below;
+          x[u] = value;
+          const std::int32_t thin = below > kMinKernelPart * here ? 0 : 1;
+          const std::int32_t beyond = value <= x_max ? 0 : 1;
+          special[static_cast<std::size_t>(k)] |= thin | beyond;
+        }
+      });
+  return max_of(special) == 0;
+}
+
+/// x = (reference - q live) / reference; NaN where flags require it. `light`: q in powers of the
+/// column; the row's first column is first_column. Between pixels that could not be
+/// measured hardly any of the kernel is left, and its outer weights are negative. Such a pixel
+/// takes the reason of its neighbours: dark or clipped, whichever level is nearer. Measured values
+/// beyond x_max are flagged.
+ALLTACT_WIDE void divide_row(const SmoothRow& row, std::uint8_t* __restrict flags,
+                             const std::array<float, 3>& light, int first_column, float x_max,
+                             int count, float* __restrict x) {
+  constexpr float measured = kMeasured, clipped = kSaturated, dark = kTooDark,
+                  extrapolated = kExtrapolated;
+  constexpr float kMiddle = 0.5F * kCeiling;
+  const SmoothRow from = row;
+  const float constant = light[0], slope = light[1], bow = light[2];
+  in_blocks(
+      count, [=](int first, auto size) __attribute__((always_inline)) {
+        const auto begin = static_cast<float>(first_column + first);
+        // In three loops: in one the compiler would branch for each pixel.
+        std::array<float, kBlock> reason, values;
+        for (int k = 0; k < size; ++k) {
+          const auto before = static_cast<float>(static_cast<std::int32_t>(flags[first + k]));
+          // the row may be divided twice
+          const float flag = before == extrapolated ? measured : before;
+          const auto here = static_cast<float>(from.raw[first + k]);
+          const auto smooth = static_cast<float>(from.reference[first + k]);
+          const float thin = here > kMiddle ? clipped : dark;
+          const float left = smooth > kMinKernelPart * here ? measured : thin;
+          reason[static_cast<std::size_t>(k)] = flag == measured ? left : flag;
+        }
+        for (int k = 0; k < size; ++k) {
+          const float column = begin + kBlockIndices[static_cast<std::size_t>(k)];
+          const float correction = constant + column * (slope + column * bow);
+          const auto live = static_cast<float>(from.live[first + k]);
+          const auto smooth = static_cast<float>(from.reference[first + k]);
+          const float value = (smooth - correction * live) / smooth;
+          values[static_cast<std::size_t>(k)] =
+              reason[static_cast<std::size_t>(k)] == measured ? value : kNoDifference;
+        }
+        for (int k = 0; k < size; ++k) {
+          const float value = values[static_cast<std::size_t>(k)];
+          const float final = value > x_max ? extrapolated : reason[static_cast<std::size_t>(k)];
+          x[first + k] = value;
+          flags[first + k] = static_cast<std::uint8_t>(static_cast<std::int32_t>(final));
+        }
+      });
+}
+
+/// Flags values beyond x_max, as divide_row() does.
+ALLTACT_WIDE void flag_row(const float* __restrict x, float x_max, int count,
+                           std::uint8_t* __restrict flags) {
+  constexpr float beyond = kExtrapolated;
+  in_blocks(
+      count, [=](int first, auto size) __attribute__((always_inline)) {
+        for (int u = first; u < first + size; ++u) {
+          const auto flag = static_cast<float>(static_cast<std::int32_t>(flags[u]));
+          flags[u] =
+              static_cast<std::uint8_t>(static_cast<std::int32_t>(x[u] > x_max ? beyond : flag));
+        }
+      });
+}
+
+/// Clamps depths to the layer's thickness, with their sign, and flags them as kBeyondLayer or
+/// kBulgeLimit.
+ALLTACT_WIDE void clamp_row(const float* __restrict max_mm, int count, float* __restrict depth_mm,
+                            std::uint8_t* __restrict flags) {
+  std::array<std::int32_t, kBlock> deeper{};
+  in_blocks(
+      count, [&](int first, auto size) __attribute__((always_inline)) {
+        for (int k = 0; k < size; ++k)
+          deeper[static_cast<std::size_t>(k)] |=
+              std::abs(depth_mm[first + k]) > max_mm[first + k] ? 1 : 0;
+      });
+  if (max_of(deeper) == 0) return;  // true for nearly all rows
+  for (int u = 0; u < count; ++u) {
+    const float max_value = max_mm[u];
+    if (!(std::abs(depth_mm[u]) > max_value)) continue;
+    flags[u] = depth_mm[u] > 0.0F ? kBeyondLayer : kBulgeLimit;
+    depth_mm[u] = std::copysign(max_value, depth_mm[u]);
+  }
+}
 
 /// Greatest possible indentation by column, in the direction of the mapping's depth.
 std::vector<float> layer_by_column(const MappingParameters& mapping, const FaceShape& shape) {
@@ -70,8 +241,7 @@ class DepthMapper {
     for (const FaceRun& run : runs) {
       mapping_.depths_mm(x + run.first, depth + run.first, run.size());
       if (!scale_.is_one()) scale_.scale(row, run.first, run.size(), depth + run.first);
-      depth_rows::clamp(max_mm_.data() + run.first, run.size(), depth + run.first,
-                        flags + run.first);
+      clamp_row(max_mm_.data() + run.first, run.size(), depth + run.first, flags + run.first);
     }
     clear_outside(runs, map_.depth_mm.cols, depth, fill_nan);
     cells_.add_row(row, runs, depth);
@@ -121,11 +291,11 @@ void compare(const cv::Mat& grey, const Reference& reference, const FaceRuns& fa
       std::int16_t* live_run = live_row + run.first;
       std::int16_t* untouched_run = untouched_row + run.first;
       std::uint8_t* flags_run = flags.ptr<std::uint8_t>(row) + run.first;
-      if (depth_rows::copy(grey.ptr<std::uint8_t>(row) + run.first, reference_row + run.first,
-                           darkest, run.size(), live_run, untouched_run)) {
+      if (copy_row(grey.ptr<std::uint8_t>(row) + run.first, reference_row + run.first, darkest,
+                   run.size(), live_run, untouched_run)) {
         std::fill_n(flags_run, run.size(), std::uint8_t{kMeasured});
       } else {
-        depth_rows::mark(darkest, run.size(), live_run, untouched_run, flags_run);
+        mark_row(darkest, run.size(), live_run, untouched_run, flags_run);
         is_measured[static_cast<std::size_t>(row)] = 0;
       }
     }
@@ -138,10 +308,12 @@ void compare(const cv::Mat& grey, const Reference& reference, const FaceRuns& fa
     auto* row_flags = flags.ptr<std::uint8_t>(row);
     const std::array<float, 3> light_here = light.of_row(row);
     for (const FaceRun& run : runs) {
-      const depth_rows::SmoothRow smooth{live.smoothed(row, run), untouched.smoothed(row, run),
-                                         untouched.raw(row, run)};
-      depth_rows::divide(smooth, is_measured[static_cast<std::size_t>(row)] != 0, light_here,
-                         run.first, x_max, run.size(), row_flags + run.first, x + run.first);
+      const SmoothRow smooth{live.smoothed(row, run), untouched.smoothed(row, run),
+                             untouched.raw(row, run)};
+      float* x_run = x + run.first;
+      if (is_measured[static_cast<std::size_t>(row)] == 0 ||
+          !divide_plain_row(smooth, light_here, run.first, x_max, run.size(), x_run))
+        divide_row(smooth, row_flags + run.first, light_here, run.first, x_max, run.size(), x_run);
     }
     clear_outside(runs, grey.cols, row_flags, fill_off_face);
     done(row);
@@ -198,8 +370,7 @@ DepthMap depth_map(const Difference& difference, const Mapping& mapping, const F
   for (int row = 0; row < difference.x.rows; ++row) {
     const float* x = difference.x.ptr<float>(row);
     for (const FaceRun& run : difference.face.of_row(row))
-      depth_rows::flag_beyond(x + run.first, x_max, run.size(),
-                              map.flags.ptr<std::uint8_t>(row) + run.first);
+      flag_row(x + run.first, x_max, run.size(), map.flags.ptr<std::uint8_t>(row) + run.first);
     depth_mapper(row, x);
   }
   depth_mapper.finish();

@@ -27,10 +27,11 @@ double outermost(const FaceEnd& end, double upper_v, double lower_v, int outward
   return outwards > 0 ? highest : lowest;
 }
 
-Error no_shape(Message what) {
+Error no_shape(Message what, ErrorKind kind = ErrorKind::kOther) {
   return {std::move(what), en::say("the face's edges"),
           en::say("an image in which both long edges of the bright face are visible and lit "
-                  "evenly; check that the lamps are on and that the lens is clean")};
+                  "evenly; check that the lamps are on and that the lens is clean"),
+          kind};
 }
 
 }  // namespace
@@ -123,7 +124,8 @@ Result<FaceShape> FaceShape::fit(const FaceEdges& edges, const Camera& camera, c
     valid += column.valid;
   }
   if (valid < 5)
-    return no_shape(en::say("the distance of the face is too uncertain in every column"));
+    return no_shape(en::say("the distance of the face is too uncertain in every column"),
+                    ErrorKind::kUncertainFace);
   shape.finish();
   return shape;
 }

@@ -14,7 +14,7 @@ using testing::HasSubstr;
 
 struct Forecast {
   Finger finger;
-  std::vector<ReferencedPress> presses;
+  std::vector<TakenPress> presses;
   CalibrationInputs inputs;
   std::vector<Press> as_solved;
   std::vector<Eigen::Vector3d> centres_mm;
@@ -34,13 +34,13 @@ Forecast four_presses() {
     made.as_solved.push_back(one.press);
     made.as_solved.back().ball_radius_mm = 4.0;
     made.centres_mm.push_back(one.centre_mm);
-    ReferencedPress press;
-    press.taken.name = one.press.name;
-    press.taken.press = std::move(one.press);
-    press.taken.press->ball_radius_mm = 0;  // told by what is said
+    TakenPress press;
+    press.name = one.press.name;
+    press.press = std::move(one.press);
+    press.press->ball_radius_mm = 0;  // told by what is said
     Reference reference;
     reference.image =
-        ReferenceImage(cv::Mat(press.taken.press->difference.x.size(), CV_32FC1, cv::Scalar(150)));
+        ReferenceImage(cv::Mat(press.press->difference.x.size(), CV_32FC1, cv::Scalar(150)));
     press.reference = reference;
     made.presses.push_back(std::move(press));
   }

@@ -1,5 +1,5 @@
 #include "calibration/joint/contact_model.h"
-#include "calibration/joint/model_choice.h"
+#include "calibration/joint/joint_fit.h"
 #include "core/numerics/median.h"
 
 #include <cmath>

@@ -1,7 +1,6 @@
 #include "calibration/lens/calibrate_lens.h"
 
 #include "calibration/lens/board_views.h"
-#include "calibration/lens/lens_verdict.h"
 #include "core/open/open_source.h"
 #include "tests/support/boards.h"
 
@@ -178,22 +177,22 @@ TEST(CalibrateLens, StoppedBeforeThereIsALensSaysSo) {
 }
 
 TEST(LensVerdict, GradesByTheWorstEvidence) {
-  LensEvidence evidence;
-  evidence.distance_mm = 60, evidence.focal_px = 500, evidence.sigma_px = 0.2;
+  LensCalibration evidence;
+  evidence.fit.lens.fx_px = 500, evidence.fit.sigma_px = 0.2;
   evidence.focal_sd_part = 0.001;
-  evidence.held_out = HeldOut{5, 0.21, 0.5, 0.5};
+  evidence.held_out = HeldOut{0.21, 0.5, 0.5};
   evidence.coverage.enough = true;
-  EXPECT_EQ(lens_verdict(evidence).grade, Grade::kGood);
+  EXPECT_EQ(lens_verdict(evidence, 60).grade, Grade::kGood);
   evidence.coverage.enough = false;
-  EXPECT_EQ(lens_verdict(evidence).grade, Grade::kUsable);
+  EXPECT_EQ(lens_verdict(evidence, 60).grade, Grade::kUsable);
   evidence.held_out->error_px = 2;
-  EXPECT_EQ(lens_verdict(evidence).grade, Grade::kUnfit);
+  EXPECT_EQ(lens_verdict(evidence, 60).grade, Grade::kUnfit);
   evidence.held_out.reset();
-  EXPECT_EQ(lens_verdict(evidence).grade, Grade::kUnproven);
+  EXPECT_EQ(lens_verdict(evidence, 60).grade, Grade::kUnproven);
   evidence.focal_sd_part = 0.01;
-  EXPECT_EQ(lens_verdict(evidence).grade, Grade::kUnfit);
+  EXPECT_EQ(lens_verdict(evidence, 60).grade, Grade::kUnfit);
   evidence.focal_sd_part = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(lens_verdict(evidence).grade, Grade::kUnfit);
+  EXPECT_EQ(lens_verdict(evidence, 60).grade, Grade::kUnfit);
 }
 
 TEST(Dots, ThePictureOfADiscIsNotCentredOnItsCentre) {
@@ -245,9 +244,10 @@ TEST(RealBoards, FisheyeFocalLengthIsThePublishedOne) {
   const auto found = calibrate_lens(views->views, views->size, settings, {});
   ASSERT_TRUE(found) << found.error().sentence();
   std::printf("[ figures  ] real fisheye boards: %zu views, fx %.2f +- %.2f px, corners %.3f px\n",
-              found->used.size(), found->fit.lens.fx_px, found->focal_sd_px(), found->fit.sigma_px);
+              found->used.size(), found->fit.lens.fx_px,
+              found->focal_sd_part * found->fit.lens.fx_px, found->fit.sigma_px);
   // Published without an uncertainty; ours must cover it.
-  EXPECT_NEAR(found->fit.lens.fx_px, 284.3, 3 * found->focal_sd_px());
+  EXPECT_NEAR(found->fit.lens.fx_px, 284.3, 3 * found->focal_sd_part * found->fit.lens.fx_px);
   EXPECT_NEAR(found->fit.lens.fx_px, 284.3, 0.01 * 284.3);
 }
 

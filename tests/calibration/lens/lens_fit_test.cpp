@@ -114,14 +114,13 @@ TEST(LensFit, ReportedCovarianceIsTrue) {
   for (const CameraModel model : {CameraModel::kBrown, CameraModel::kFisheye}) {
     const CameraParameters truth = board_lens(model);
     const Camera camera = Camera::create(truth).value();
-    LensFitOptions options;
-    options.coefficients = model == CameraModel::kFisheye ? 4 : 5;
+    const int coefficients = model == CameraModel::kFisheye ? 4 : 5;
     double sum = 0;
     int n = 0;
     for (int run = 0; run < kRuns; ++run) {
       std::mt19937 random(1000 + run);
       const auto scene = board_scene(camera, chessboard(7, 6, 3.5), 8, 35, 0.2, random);
-      const auto fit = fit_lens(scene.views, truth_of(scene, truth), options, {});
+      const auto fit = fit_lens(scene.views, truth_of(scene, truth), coefficients, {});
       ASSERT_TRUE(fit) << fit.error().sentence();
       const Eigen::VectorXd error = lens_numbers(fit->lens) - lens_numbers(truth);
       n = static_cast<int>(error.size());
@@ -153,7 +152,7 @@ TEST(LensFit, MoreAndMoreTiltedBoardsTellTheFocalLengthAsTheTableSays) {
     for (int run = 0; run < kRuns; ++run) {
       std::mt19937 random(50 + run);
       const auto scene = board_scene(camera, chessboard(), row.boards, row.tilt_deg, 0.2, random);
-      const auto fit = fit_lens(scene.views, truth_of(scene, truth), {}, {});
+      const auto fit = fit_lens(scene.views, truth_of(scene, truth), kAllCoefficients, {});
       ASSERT_TRUE(fit) << fit.error().sentence();
       sum += std::log(100 * fit->sd(0) / fit->lens.fx_px);
     }
@@ -170,7 +169,7 @@ TEST(LensFit, GrossErrorsAreFoundAndDoNoHarm) {
   auto scene = board_scene(camera, chessboard(), 12, 35, 0.15, random);
   scene.views[3].pixels[10].x() += 4;
   scene.views[5].pixels[20].y() -= 7;
-  const auto fit = fit_lens(scene.views, truth_of(scene, truth), {}, {});
+  const auto fit = fit_lens(scene.views, truth_of(scene, truth), kAllCoefficients, {});
   ASSERT_TRUE(fit);
   EXPECT_EQ(fit->weights[3][10], 0);
   EXPECT_EQ(fit->weights[5][20], 0);
@@ -191,10 +190,8 @@ TEST(LensFit, ViewsThatDoNotShowTheLensAreRefused) {
     views.push_back(made::seen_by(camera, board, pose, 0.2, random).value());
     start.poses.push_back(pose);
   }
-  LensFitOptions none;
-  none.coefficients = 0;
   start.lens.distortion.clear();
-  const auto fit = fit_lens(views, start, none, {});
+  const auto fit = fit_lens(views, start, 0, {});
   EXPECT_TRUE(!fit || fit->sd(0) > 0.02 * fit->lens.fx_px);
 }
 

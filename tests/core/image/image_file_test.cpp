@@ -39,6 +39,16 @@ bool is_same(const cv::Mat& a, const cv::Mat& b) {
   return true;
 }
 
+/// Check sum of a chunk's type and data (PNG, third edition, annex D).
+std::uint32_t png_check_sum(std::string_view type_and_data) {
+  std::uint32_t sum = 0xFFFFFFFFU;
+  for (const char c : type_and_data) {
+    sum ^= static_cast<unsigned char>(c);
+    for (int bit = 0; bit < 8; ++bit) sum = sum >> 1U ^ ((sum & 1U) != 0 ? 0xEDB88320U : 0);
+  }
+  return ~sum;
+}
+
 class Picture : public testing::Test {
  protected:
   Result<cv::Mat> read(const std::string& content) {
@@ -89,9 +99,7 @@ TEST_F(Picture, EveryTruncationIsRefused) {
     const std::string whole = encoded(ending, grey, options);
     ASSERT_EQ(refusal(whole), "accepted") << ending;
     for (std::size_t size = 0; size < whole.size(); ++size) {
-      const std::string cut = whole.substr(0, size);
-      if (!image_header(cut).ok()) continue;
-      ASSERT_NE(refusal(cut), "accepted") << ending << ' ' << size;
+      ASSERT_NE(refusal(whole.substr(0, size)), "accepted") << ending << ' ' << size;
     }
   }
 }
