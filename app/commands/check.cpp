@@ -7,9 +7,9 @@
 #include "calibration/checks/press_check.h"
 #include "calibration/finger/calibrate_finger.h"
 #include "calibration/finger/calibration_report.h"
-#include "tests/hard_cases/hard_cases.h"
 #include "core/base/program.h"
 #include "core/base/utc_time.h"
+#include "tests/hard_cases/hard_cases.h"
 
 #include <fmt/format.h>
 

@@ -1,10 +1,10 @@
-#include "tests/hard_cases/hard_cases.h"
 #include "core/geometry/ball.h"
 #include "core/geometry/circle_fit.h"
 #include "core/numerics/chebyshev.h"
 #include "core/numerics/linear_algebra.h"
 #include "core/sensing/face/face_edges.h"
 #include "core/sensing/face/face_shape.h"
+#include "tests/hard_cases/hard_cases.h"
 
 #include <algorithm>
 #include <functional>

@@ -1,6 +1,6 @@
-#include "tests/hard_cases/hard_cases.h"
 #include "calibration/lens/calibrate_lens.h"
 #include "core/camera/camera.h"
+#include "tests/hard_cases/hard_cases.h"
 
 #include <random>
 

@@ -1,5 +1,3 @@
-#include "tests/hard_cases/exact.h"
-#include "tests/hard_cases/hard_cases.h"
 #include "calibration/joint/joint_fit.h"
 #include "core/finger/mapping.h"
 #include "core/geometry/ball.h"
@@ -7,6 +5,8 @@
 #include "core/numerics/linear_algebra.h"
 #include "core/sensing/face/face_shape.h"
 #include "core/simulation/mechanics/ball_contact.h"
+#include "tests/hard_cases/exact.h"
+#include "tests/hard_cases/hard_cases.h"
 
 #include <random>
 

@@ -1,4 +1,3 @@
-#include "tests/hard_cases/hard_cases.h"
 #include "core/image/grey_range.h"
 #include "core/sensing/contact/contact_regions.h"
 #include "core/sensing/contact/push.h"
@@ -6,6 +5,7 @@
 #include "core/sensing/markers/marker_model.h"
 #include "core/sensing/markers/markers.h"
 #include "core/sensing/reference/recorded_poses.h"
+#include "tests/hard_cases/hard_cases.h"
 
 #include <functional>
 #include <random>

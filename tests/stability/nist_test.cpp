@@ -1,8 +1,8 @@
 // NIST's Statistical Reference Datasets through the solvers that we use, against certified values.
-#include "tests/hard_cases/exact.h"
 #include "calibration/joint/ceres_solver.h"
 #include "core/numerics/chebyshev.h"
 #include "core/numerics/linear_algebra.h"
+#include "tests/hard_cases/exact.h"
 
 #include <cmath>
 #include <cstdio>

@@ -1,8 +1,8 @@
 #include "widgets/report/calibration_pages.h"
 
 #include "calibration/checks/check_history.h"
-#include "calibration/finger/calibration_report.h"
 #include "calibration/experiments/simulated_fault.h"
+#include "calibration/finger/calibration_report.h"
 #include "core/base/atomic_file.h"
 #include "core/base/job.h"
 #include "core/base/result.h"
