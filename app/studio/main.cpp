@@ -28,8 +28,9 @@ class GuardedApplication : public QApplication {
   using QApplication::QApplication;
   bool notify(QObject* receiver, QEvent* event) override {
     bool is_handled = false;
-    const Status ran = guarded([&] { is_handled = QApplication::notify(receiver, event); });
-    if (!ran) UnexpectedErrors::instance().report(ran.error());
+    const alltact::Status ran =
+        alltact::guarded([&] { is_handled = QApplication::notify(receiver, event); });
+    if (!ran) alltact::UnexpectedErrors::instance().report(ran.error());
     return is_handled;
   }
 };
