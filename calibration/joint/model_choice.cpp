@@ -410,8 +410,8 @@ Message why(const FamilyCandidate& chosen, const FamilyCandidate& best) {
 std::optional<ModelChoice> choose_family(const ChoiceInput& input,
                                          const std::vector<CurveFamily>& families,
                                          MappingAlong along, const Job& job) {
-  JointFit start = straight_start(input, along, domain_of(input, along));
-  ModelChoice choice{{along}, std::move(start), {}, 0, {}, {}};
+  JointFit straight = straight_start(input, along, domain_of(input, along));
+  ModelChoice choice{{along}, std::move(straight), {}, 0, {}, {}};
   if (!(choice.fit.curve.x_max() > 0.0)) return std::nullopt;
   choice.options.zone = kInnerZone;
   choice.options.settled_mm = kSettledMm;

@@ -106,12 +106,14 @@ function(alltact_library name)
 endfunction()
 
 # alltact_libraries(NAME libraries...) makes alltact::NAME of several shared libraries, for programs that use most of them.
+# One of them may be such a group itself.
 function(alltact_libraries name)
   list(TRANSFORM ARGN PREPEND alltact_)
   add_library(alltact_${name} INTERFACE)
   add_library(alltact::${name} ALIAS alltact_${name})
   set_target_properties(alltact_${name} PROPERTIES EXPORT_NAME ${name})
   target_link_libraries(alltact_${name} INTERFACE ${ARGN})
+  list(REMOVE_ITEM ARGN alltact_core) # which is installed already
   install(TARGETS alltact_${name} ${ARGN} EXPORT alltact
           LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
           INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})

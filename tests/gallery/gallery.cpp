@@ -113,11 +113,7 @@ Shown start_panel() {
   return panel;
 }
 
-Shown new_finger_dialog() {
-  return std::make_unique<NewFingerDialog>([](const NewFinger&) -> Status {
-    return Error{en::say("the gallery makes no fingers"), "", en::say("the Studio itself")};
-  });
-}
+Shown new_finger_dialog() { return std::make_unique<NewFingerDialog>(); }
 
 Shown export_dialog() { return std::make_unique<ExportDialog>("/fingers/left-07"); }
 
@@ -174,7 +170,7 @@ Shown settings_dialog() { return std::make_unique<SettingsDialog>(Appearance{}, 
 /// The place with nothing to record from.
 class EmptyRecording : public QWidget {
  public:
-  EmptyRecording() : place_(session_, no_installer) {
+  EmptyRecording() : place_(session_) {
     // In no folder that there is: the space left on a disk is another one everywhere.
     place_.set_file(QStringLiteral("/no/such/folder/bending.mkv"));
     auto* layout = new QVBoxLayout(this);
@@ -182,12 +178,6 @@ class EmptyRecording : public QWidget {
   }
 
  private:
-  static Result<ReferenceReport> no_installer(const std::filesystem::path& /*folder*/,
-                                              const std::filesystem::path& /*video*/,
-                                              const ReferenceChoices& /*choices*/,
-                                              const Job& /*job*/) {
-    return Error{en::say("the gallery has no fingers"), "", en::say("the Studio itself")};
-  }
   LiveSession session_;
   RecordPage place_;
 };

@@ -285,7 +285,7 @@ TEST_F(Geometry, OfTheStepsWithPresses) {
 
 TEST_F(Geometry, OfDialogs) {
   if (!is_slow_run()) GTEST_SKIP() << kLong;
-  NewFingerDialog finger([](const NewFinger&) { return Status(); });
+  NewFingerDialog finger;
   look_at_dialog("new finger", finger);
   SettingsDialog settings({}, nullptr);
   look_at_dialog("settings", settings);

@@ -135,7 +135,7 @@ TEST_P(Numbers, InEveryFieldMeanWhatAPersonMeansOrAreRefused) {
   ASSERT_TRUE(studio.wait_for_picture());
   for (const char* place : {"calibrate", "record", "inspect", "accuracy", "live"})
     studio.window().go_to(place);
-  NewFingerDialog maker([](const NewFinger&) { return Status(); });
+  NewFingerDialog maker;
   GripperDialog gripper(QStringLiteral("left"), std::nullopt);
   ControlPanel controls;
   controls.set_controls({exposure()}, false);

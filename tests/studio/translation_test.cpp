@@ -279,7 +279,7 @@ TEST_F(PseudoLanguage, NothingIsLeftOutAndNothingIsClipped) {
     studio.window().grab().save(
         QStringLiteral(ALLTACT_SCREENS "/pseudo_%1.png").arg(QLatin1String(place)));
   }
-  NewFingerDialog finger([](const NewFinger&) { return Status(); });
+  NewFingerDialog finger;
   finger.show();
   QTest::qWait(50);
   look_through(finger);

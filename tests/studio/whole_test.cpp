@@ -175,7 +175,7 @@ TEST(Window, EveryControlHasANameAndARole) {
     QTest::qWait(50);
     expect_names(studio.window());
   }
-  NewFingerDialog finger([](const NewFinger&) { return Status(); });
+  NewFingerDialog finger;
   finger.show();
   expect_names(finger);
   SettingsDialog settings({}, nullptr);
