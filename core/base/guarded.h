@@ -11,7 +11,7 @@ namespace alltact {
 [[nodiscard]] Error caught_error();
 
 /// Calls `work`, which returns a Result or nothing. What it throws becomes an error: on a thread of
-/// its own an exception would end the program. Every thread calls its work in this way.
+/// its own an exception would end the program. Every thread calls its work through it.
 template <class Work>
 [[nodiscard]] auto guarded(const Work& work) {
   using Returned = std::invoke_result_t<const Work&>;

@@ -1,5 +1,5 @@
-// Records frames on a thread of its own. The file is complete in any case, and lost frames are
-// reported.
+// Records frames on a thread of its own. What was recorded stays readable, but for about the last
+// second before a power cut, and lost frames are reported.
 #pragma once
 
 #include "core/base/job.h"

@@ -1,4 +1,4 @@
-// Reads videos: any frame by its number, exactly as it was recorded.
+// Reads, writes and repairs lossless videos: any frame by its number, exactly as it was recorded.
 #pragma once
 
 #include "core/base/job.h"

@@ -38,8 +38,8 @@ class RunningMean {
   cv::Mat sum_;  // of last_, CV_16UC1
 };
 
-/// A way to measure frames, in the order of one source. The program has its own (Pipeline::create),
-/// and the source paper's to compare with (paper_method.h).
+/// A method that measures frames, in the order of one source. The program has its own
+/// (Pipeline::create), and the source paper's to compare with (paper_method.h).
 class MeasuringMethod {
  public:
   virtual ~MeasuringMethod() = default;

@@ -169,8 +169,7 @@ class DepthScale {
 /// sees the pressed face at p + n (layer - d_n). The depth map holds the distance along z between
 /// the contact-free and the pressed face on the line through p. Another pixel sees that point, up
 /// to a layer's thickness away on an inclined face. For every pixel this finds the pixel that sees
-/// its line, by a few fixed-point steps along the finger. The normal has no component across the
-/// finger.
+/// its line, by a few fixed-point steps along the finger, and across it where the finger twists.
 ///
 /// depth_normal_mm: CV_32FC1, NaN where not measured. cells_mm: its means, which
 /// select the pixels to look up. The result has the size and type of depth_normal_mm and is NaN
