@@ -191,29 +191,30 @@ void HidButton::set_status(Status status) {
 
 void HidButton::run() {
   while (!stopping_) {
-    const Status ended = guarded([this]() -> Status {
-      const auto port = open_();
-      if (!port) return port.error();
-      set_status({});
-      return listen(**port);
+    std::unique_ptr<HidPort> port;  // open until the next attempt, so that its node is not reused
+    const Status ran = guarded([&] {
+      auto opened = open_();
+      set_status(opened ? Status() : Status(opened.error()));
+      if (!opened) return;
+      port = std::move(*opened);
+      listen(*port);
     });
-    if (!ended) set_status(ended);
+    if (!ran) set_status(ran);
     for (const auto end = Clock::now() + kReopenInterval; !stopping_ && Clock::now() < end;)
       std::this_thread::sleep_for(std::chrono::milliseconds(kSlice_ms));
   }
 }
 
-Status HidButton::listen(HidPort& port) {
+void HidButton::listen(HidPort& port) {
   bool was_pressed = false;
   while (!stopping_) {
     const auto report = port.read(100);
-    if (!report.ok()) return report.error();
+    if (!report.ok()) return set_status(report.error());
     if (report->size() != pattern_.report_bytes) continue;  // timeout, or another kind
     const bool is_pressed = pattern_.is_pressed(*report);
     if (is_pressed && !was_pressed) on_press_();
     was_pressed = is_pressed;
   }
-  return {};
 }
 
 }  // namespace alltact

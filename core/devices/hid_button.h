@@ -86,7 +86,7 @@ class HidButton {
 
  private:
   void run();
-  Status listen(HidPort& port);
+  void listen(HidPort& port);
   void set_status(Status status);
 
   Opener open_;

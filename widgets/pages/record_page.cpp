@@ -445,8 +445,20 @@ void RecordPage::show_problem_image() {
 
 void RecordPage::list_rejected() {
   const QSignalBlocker no_choice(rejected_);
+  std::vector<QListWidgetItem*> left_out;  // by the user: the report does not name them any more
+  for (int row = rejected_->count() - 1; row >= 0; --row) {
+    const QPoint frames = rejected_->item(row)->data(Qt::UserRole).toPoint();
+    const bool is_chosen =
+        std::any_of(left_out_frames_.begin(), left_out_frames_.end(), [&](const FrameRange& range) {
+          return range.first == frames.x() && range.last == frames.y();
+        });
+    if (is_chosen) left_out.push_back(rejected_->takeItem(row));
+  }
   rejected_->clear();
-  if (!report_ || !*report_) return;
+  if (!report_ || !*report_) {
+    qDeleteAll(left_out);
+    return;
+  }
   std::set<std::string> listed;
   for (const ReferenceStretch& stretch : report_->value().stretches) {
     auto* item = new QListWidgetItem(in_window_language(stretch.sentence), rejected_);
@@ -454,6 +466,13 @@ void RecordPage::list_rejected() {
     item->setCheckState(stretch.is_retained ? Qt::Checked : Qt::Unchecked);
     item->setData(Qt::UserRole, QPoint(stretch.first, stretch.last));
     listed.insert(stretch.sentence.english());
+  }
+  for (QListWidgetItem* item : left_out) {
+    const bool is_named = !rejected_->findItems(item->text(), Qt::MatchExactly).empty();
+    if (is_named)
+      delete item;
+    else
+      rejected_->addItem(item);
   }
   for (const Message& reason : report_->value().rejected)
     if (!listed.contains(reason.english())) rejected_->addItem(in_window_language(reason));

