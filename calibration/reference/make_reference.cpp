@@ -244,12 +244,9 @@ void report_stretches(const FrameJudgements& evidence, const std::vector<std::si
     stretch.along_mm = darkest.along_mm;
     stretch.across_mm = darkest.across_mm;
     stretch.darkest = static_cast<int>(numbers[found.darkest]);
-    for (std::size_t i = found.first; i <= found.last; ++i) {
-      const bool is_untouched =
-          found.touch == FrameContact::kUnexplained || is_in(choices.keep, numbers[i]);
-      stretch.is_retained =
-          stretch.is_retained && is_untouched && !is_in(choices.leave_out, numbers[i]);
-    }
+    for (std::size_t i = found.first; i <= found.last && found.touch != FrameContact::kUnexplained;
+         ++i)
+      stretch.is_retained = stretch.is_retained && is_in(choices.keep, numbers[i]);
     stretch.sentence = sentence_of(stretch);
     if (!stretch.is_retained) report.rejected.push_back(stretch.sentence);
     report.stretches.push_back(std::move(stretch));

@@ -48,18 +48,20 @@ struct CameraController::State {
     lock.unlock();
     std::optional<Error> problem;
     bool is_lock_failed = false, is_locked = false;
-    auto controls = guarded([&] {
+    std::optional<Result<std::vector<CameraControl>>> controls;
+    const Status ran = guarded([&] {
       for (const ControlValue& change : todo)
         if (const Status status = working.set_control(change); !status) problem = status.error();
       // Unplugged: tried again at the next poll.
       if (change_lock && lock_requested) is_lock_failed = !working.lock().ok();
       if (change_lock && !lock_requested) working.unlock();
       is_locked = !working.locked().empty();
-      return working.controls();
+      controls = working.controls();
     });
+    if (!ran) problem = ran.error();
     lock.lock();
     if (camera.get() != &working) return;
-    if (controls) status.controls = std::move(*controls);
+    if (controls && *controls) status.controls = std::move(**controls);
     status.is_locked = is_locked;
     is_lock_changed = is_lock_changed || is_lock_failed;
     if (problem) {

@@ -117,10 +117,8 @@ struct SourceRunner::Run {
     options.pace = Pace::kRecorded;
     options.seed = seed;
     options.job = &job;
-    auto source = guarded([&]() -> Result<std::unique_ptr<Source>> {
-      if (job.stop_requested()) return Error{en::say("stopped"), "", ""};
-      return opener(inputs, options);
-    });
+    auto source =
+        job.stop_requested() ? Error{en::say("stopped"), "", ""} : opener(inputs, options);
     if (!source) return fail(source.error());
     begin(**source);
     while (!job.stop_requested()) {

@@ -299,7 +299,7 @@ void CalibrationRun::restore(std::shared_ptr<Files> files, bool has_report, cons
   has_report_ = has_report;
   const fs::path folder = collection_.folder();
   collection_.disk()->add(
-      folder,
+      folder / Finger::kFileName,
       [folder, files = std::move(files), replaced = std::move(replaced),
        finger = made.finger]() -> Status { return put_back(folder, *files, finger, *replaced); });
   if (loading_.is_running()) reload();  // its result would be of the former files

@@ -14,7 +14,6 @@
 
 #include <QApplication>
 #include <QDateTime>
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QLocale>
 #include <QPainter>

@@ -239,7 +239,7 @@ void PressCollection::set_press_set(const PressSet& press_set) {
     waiting_->press_set = press_set_;
   }
   if (!is_waiting)
-    disk_->add(folder_, [waiting = waiting_, folder = folder_] {
+    disk_->add(folder_ / PressSet::kFileName, [waiting = waiting_, folder = folder_] {
       std::optional<PressSet> latest;
       {
         const std::lock_guard lock(waiting->mutex);

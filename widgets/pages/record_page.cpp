@@ -268,8 +268,8 @@ void RecordPage::start_or_stop() {
 
 void RecordPage::begin_recording() {
   report_.reset();
-  untouched_frames_.clear();
-  left_out_frames_.clear();
+  stretches_.clear();
+  is_choice_made_ = false;
   problem_image_ = {};  // it belonged to the former recording
   installed_.clear();
   deferred_.clear();
@@ -399,8 +399,10 @@ void RecordPage::follow_judge() {
 ReferenceChoices RecordPage::choices() const {
   ReferenceChoices choices;
   choices.rest_pose = rest_pose_;
-  choices.keep = untouched_frames_;
-  choices.leave_out = left_out_frames_;
+  if (is_choice_made_)
+    for (const ReferenceStretch& stretch : stretches_)
+      (stretch.is_retained ? choices.keep : choices.leave_out)
+          .push_back({stretch.first, stretch.last});
   choices.skin_was_changed = skin_changed_->isChecked();
   return choices;
 }
@@ -408,8 +410,7 @@ ReferenceChoices RecordPage::choices() const {
 void RecordPage::install_now() {
   const auto folder = session_.status().finger.folder;
   const auto video = recorded_;
-  const auto judged =
-      untouched_frames_.empty() && left_out_frames_.empty() ? judge_.judged() : nullptr;
+  const auto judged = is_choice_made_ ? nullptr : judge_.judged();
   install_work_.start([this, folder, video, choices = choices(), judged](const Job& job) {
     auto report = std::make_shared<Result<ReferenceReport>>(
         install_take(judged, folder, video, choices, job));
@@ -445,50 +446,34 @@ void RecordPage::show_problem_image() {
 
 void RecordPage::list_rejected() {
   const QSignalBlocker no_choice(rejected_);
-  std::vector<QListWidgetItem*> left_out;  // by the user: the report does not name them any more
-  for (int row = rejected_->count() - 1; row >= 0; --row) {
-    const QPoint frames = rejected_->item(row)->data(Qt::UserRole).toPoint();
-    const bool is_chosen =
-        std::any_of(left_out_frames_.begin(), left_out_frames_.end(), [&](const FrameRange& range) {
-          return range.first == frames.x() && range.last == frames.y();
-        });
-    if (is_chosen) left_out.push_back(rejected_->takeItem(row));
-  }
   rejected_->clear();
-  if (!report_ || !*report_) {
-    qDeleteAll(left_out);
-    return;
+  if (!report_ || !*report_) return;
+  // The report does not name the stretches that were left out by choice.
+  std::vector<ReferenceStretch> stretches = report_->value().stretches;
+  for (const ReferenceStretch& former : stretches_) {
+    const bool is_named =
+        std::any_of(stretches.begin(), stretches.end(), [&](const ReferenceStretch& stretch) {
+          return stretch.first == former.first && stretch.last == former.last;
+        });
+    if (is_choice_made_ && !former.is_retained && !is_named) stretches.push_back(former);
   }
+  stretches_ = std::move(stretches);
   std::set<std::string> listed;
-  for (const ReferenceStretch& stretch : report_->value().stretches) {
+  for (const ReferenceStretch& stretch : stretches_) {
     auto* item = new QListWidgetItem(in_window_language(stretch.sentence), rejected_);
     item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
     item->setCheckState(stretch.is_retained ? Qt::Checked : Qt::Unchecked);
-    item->setData(Qt::UserRole, QPoint(stretch.first, stretch.last));
     listed.insert(stretch.sentence.english());
-  }
-  for (QListWidgetItem* item : left_out) {
-    const bool is_named = !rejected_->findItems(item->text(), Qt::MatchExactly).empty();
-    if (is_named)
-      delete item;
-    else
-      rejected_->addItem(item);
   }
   for (const Message& reason : report_->value().rejected)
     if (!listed.contains(reason.english())) rejected_->addItem(in_window_language(reason));
 }
 
 void RecordPage::choose_frames() {
-  untouched_frames_.clear();
-  left_out_frames_.clear();
-  for (int row = 0; row < rejected_->count(); ++row) {
-    const QListWidgetItem& item = *rejected_->item(row);
-    const QPoint frames = item.data(Qt::UserRole).toPoint();
-    const bool is_stretch = (item.flags() & Qt::ItemIsUserCheckable) != 0;
-    if (!is_stretch) continue;
-    (item.checkState() == Qt::Checked ? untouched_frames_ : left_out_frames_)
-        .push_back({frames.x(), frames.y()});
-  }
+  for (std::size_t row = 0; row < stretches_.size(); ++row)
+    stretches_[row].is_retained =
+        rejected_->item(static_cast<int>(row))->checkState() == Qt::Checked;
+  is_choice_made_ = true;
   installed_.clear();  // the choice differs from what is installed
   show_status();
 }
@@ -552,8 +537,8 @@ std::vector<Overlay> RecordPage::ghost(const LiveView& view) const {
 void RecordPage::offer(const std::filesystem::path& video, std::optional<RestPose> rest_pose) {
   recorded_ = video;
   rest_pose_ = std::move(rest_pose);
-  untouched_frames_.clear();
-  left_out_frames_.clear();
+  stretches_.clear();
+  is_choice_made_ = false;
   deferred_.clear();
   skin_changed_->setChecked(false);
   judge_take();

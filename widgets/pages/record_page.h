@@ -124,10 +124,10 @@ class RecordPage : public Page {
   std::optional<double> free_gb_;
   std::optional<Result<ReferenceReport>> report_;
   std::filesystem::path recorded_, installed_, deferred_;
-  std::optional<RestPose> rest_pose_;  // of the recording
-  std::vector<FrameRange> untouched_frames_,
-      left_out_frames_;   // the user's choice (ReferenceChoices)
-  QImage problem_image_;  // findings of a failed installation, as an image
+  std::optional<RestPose> rest_pose_;        // of the recording
+  std::vector<ReferenceStretch> stretches_;  // listed; ticked where retained
+  bool is_choice_made_ = false;              // by the user; else as the program judged
+  QImage problem_image_;                     // findings of a failed installation, as an image
   QElapsedTimer since_space_;
 };
 

@@ -57,8 +57,10 @@ ALLTACT_WIDE bool copy_row(const std::uint8_t* __restrict grey,
 
 /// Flags each pixel of a copied row that cannot be measured (depth_map.h), and sets both
 /// brightnesses to 0 there.
-ALLTACT_WIDE void mark_row(std::int16_t darkest, int count, std::int16_t* __restrict live,
-                           std::int16_t* __restrict reference, std::uint8_t* __restrict flags) {
+ALLTACT_WIDE void flag_unmeasurable_row(std::int16_t darkest, int count,
+                                        std::int16_t* __restrict live,
+                                        std::int16_t* __restrict reference,
+                                        std::uint8_t* __restrict flags) {
   constexpr std::int16_t measured = kMeasured, unknown = kNoReference, dark = kTooDark,
                          clipped = kSaturated;
   for (int u = 0; u < count; ++u) {
@@ -295,7 +297,7 @@ void compare(const cv::Mat& grey, const Reference& reference, const FaceRuns& fa
                    run.size(), live_run, untouched_run)) {
         std::fill_n(flags_run, run.size(), std::uint8_t{kMeasured});
       } else {
-        mark_row(darkest, run.size(), live_run, untouched_run, flags_run);
+        flag_unmeasurable_row(darkest, run.size(), live_run, untouched_run, flags_run);
         is_measured[static_cast<std::size_t>(row)] = 0;
       }
     }
