@@ -1,10 +1,9 @@
 #include "widgets/background_work.h"
 
-#include "core/base/guarded.h"
+#include "core/base/worker.h"
 
 #include <QCoreApplication>
 #include <QMetaObject>
-#include <thread>
 #include <utility>
 
 namespace alltact {
@@ -20,32 +19,35 @@ UnexpectedErrors& UnexpectedErrors::instance() {
   return errors;
 }
 
-UnexpectedErrors::UnexpectedErrors() { moveToThread(QCoreApplication::instance()->thread()); }
-
-void UnexpectedErrors::report(const Error& error) {
-  QMetaObject::invokeMethod(
-      this, [this, error] { Q_EMIT reported(error); }, Qt::QueuedConnection);
+UnexpectedErrors::UnexpectedErrors() {
+  moveToThread(QCoreApplication::instance()->thread());
+  set_unexpected_receiver([this](const Error& error) {
+    QMetaObject::invokeMethod(
+        this, [this, error] { Q_EMIT reported(error); }, Qt::QueuedConnection);
+  });
 }
 
+UnexpectedErrors::~UnexpectedErrors() { set_unexpected_receiver(nullptr); }
+
 struct BackgroundWork::Shared {
-  std::mutex mutex;
-  double fraction = 0;
-  Message what;
-  bool is_done = false;
-  std::function<void()> at_end;
-  bool is_replaced = false;  // both only on the window's thread
-  Job job{[this](double part, const Message& words) {
-    const std::lock_guard lock(mutex);
-    fraction = part;
-    what = words;
-  }};
+  struct Progress {
+    double fraction;
+    Message what;
+  };
+  Mailbox<Progress> progress;
+  Mailbox<std::function<void()>> at_end;
+  bool is_replaced = false;  // of the window's thread
+  Job job{[this](double fraction, const Message& what) { progress.put({fraction, what}); }};
 };
 
 BackgroundWork::BackgroundWork(QObject* parent) : QObject(parent) {
   connect(&timer_, &QTimer::timeout, this, &BackgroundWork::look);
 }
 
-BackgroundWork::~BackgroundWork() { stop(); }
+BackgroundWork::~BackgroundWork() {
+  stop();
+  worker_.end_later();
+}
 
 void BackgroundWork::start(Work work) {
   if (shared_) return;
@@ -54,14 +56,12 @@ void BackgroundWork::start(Work work) {
   what_ = {};
   since_.start();
   timer_.start(kBetweenLooks_ms);
-  std::thread([shared = shared_, work = std::move(work)] {
+  worker_ = Worker([shared = shared_, work = std::move(work)] {
     std::function<void()> at_end;
     if (const Status ran = guarded([&] { at_end = work(shared->job); }); !ran)
-      UnexpectedErrors::instance().report(ran.error());
-    const std::lock_guard lock(shared->mutex);
-    shared->at_end = std::move(at_end);
-    shared->is_done = true;
-  }).detach();
+      report_unexpected(ran.error());
+    shared->at_end.put(std::move(at_end));
+  });
 }
 
 void BackgroundWork::restart(Work work) {
@@ -83,22 +83,18 @@ std::optional<double> BackgroundWork::seconds_left() const {
 }
 
 void BackgroundWork::look() {
-  std::function<void()> at_end;
-  bool is_done = false;
-  {
-    const std::lock_guard lock(shared_->mutex);
-    fraction_ = shared_->fraction;
-    what_ = shared_->what;
-    is_done = shared_->is_done;
-    at_end = std::move(shared_->at_end);
+  const auto at_end = shared_->at_end.take();
+  if (auto progress = shared_->progress.take()) {
+    fraction_ = progress->fraction;
+    what_ = std::move(progress->what);
   }
-  if (!is_done) return Q_EMIT progressed();
+  if (!at_end) return Q_EMIT progressed();
   timer_.stop();
   const bool is_replaced = std::exchange(shared_, nullptr)->is_replaced;
   if (waiting_)
     start(std::exchange(waiting_, nullptr));
-  else if (at_end && !is_replaced)
-    at_end();  // which may start further work
+  else if (*at_end && !is_replaced)
+    (*at_end)();  // which may start further work
   if (!shared_) Q_EMIT finished();
 }
 

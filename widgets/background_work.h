@@ -3,25 +3,24 @@
 
 #include "core/base/job.h"
 #include "core/base/result.h"
+#include "core/base/worker.h"
 
 #include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <optional>
 
 namespace alltact {
 
-/// Where threads of the window report what they could not expect (guarded()); the main window shows
-/// it. Lives on the thread of the window.
+/// Receives what report_unexpected() reports on any thread; the main window shows it. Lives on the
+/// thread of the window.
 class UnexpectedErrors : public QObject {
   Q_OBJECT
  public:
   [[nodiscard]] static UnexpectedErrors& instance();
-  /// Any thread.
-  void report(const Error& error);
+  ~UnexpectedErrors() override;
 
  Q_SIGNALS:
   void reported(const alltact::Error& error);
@@ -30,7 +29,7 @@ class UnexpectedErrors : public QObject {
   UnexpectedErrors();
 };
 
-/// Runs one piece of work at a time. What the work throws is reported to UnexpectedErrors, and
+/// Runs one piece of work at a time. What the work throws goes to report_unexpected(), and
 /// nothing is called afterwards.
 class BackgroundWork : public QObject {
   Q_OBJECT
@@ -40,7 +39,8 @@ class BackgroundWork : public QObject {
   using Work = std::function<std::function<void()>(const Job& job)>;
 
   explicit BackgroundWork(QObject* parent = nullptr);
-  /// Requests the work to stop without waiting for it; the work must own all that it uses.
+  /// Requests the work to stop without waiting for it (Worker::end_later()); the work must own all
+  /// that it uses.
   ~BackgroundWork() override;
 
   /// Does nothing while other work runs.
@@ -68,6 +68,7 @@ class BackgroundWork : public QObject {
   void look();
 
   std::shared_ptr<Shared> shared_;
+  Worker worker_;
   Work waiting_;
   QTimer timer_;
   QElapsedTimer since_;

@@ -1,9 +1,9 @@
 // `alltact-studio`: the desktop program.
 #include "app/console/studio_arguments.h"
 #include "app/studio/main_window.h"
-#include "core/base/guarded.h"
 #include "core/base/program.h"
 #include "core/base/slow_disk.h"
+#include "core/base/worker.h"
 #include "core/finger/finger.h"
 #include "widgets/background_work.h"
 #include "widgets/scene3d/vtk_view.h"
@@ -16,11 +16,12 @@
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
-#include <thread>
 
 #include <opencv2/core/utils/logger.hpp>
 
 namespace {
+
+constexpr std::chrono::seconds kEndTimeout{10};
 
 /// What a slot throws is shown, and the window goes on. Qt itself lets nothing thrown pass.
 class GuardedApplication : public QApplication {
@@ -30,7 +31,7 @@ class GuardedApplication : public QApplication {
     bool is_handled = false;
     const alltact::Status ran =
         alltact::guarded([&] { is_handled = QApplication::notify(receiver, event); });
-    if (!ran) alltact::UnexpectedErrors::instance().report(ran.error());
+    if (!ran) alltact::report_unexpected(ran.error());
     return is_handled;
   }
 };
@@ -106,9 +107,8 @@ int main(int argc, char** argv) {
     window.show();
     status = QApplication::exec();
   }
-  // The window has gone; a slow disk may still need a moment for the end of a recording.
-  for (int i = 0; i < 100 && SourceRunner::unfinished_recordings() > 0; ++i)
-    std::this_thread::sleep_for(std::chrono::milliseconds(100));
-  // Threads that hang in a driver must not meet objects that are being destroyed.
-  std::quick_exit(status);
+  // The window has gone; a slow disk may still need a moment for the end of a recording. Threads
+  // that hang in a driver must not meet objects that are being destroyed.
+  if (!finish_workers(kEndTimeout)) std::_Exit(status);
+  return status;
 }

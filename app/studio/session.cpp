@@ -1,7 +1,6 @@
 #include "app/studio/session.h"
 
 #include "core/base/atomic_file.h"
-#include "core/base/guarded.h"
 
 #include <algorithm>
 #include <chrono>
@@ -254,18 +253,7 @@ SessionStore::SessionStore(std::filesystem::path folder)
     if (state) last_ = std::move(*state);
   }
   if (!last_) has_crashed_ = false;
-  if (has_lock) thread_ = std::jthread([this](const std::stop_token& stop) { write(stop); });
-}
-
-SessionStore::~SessionStore() {
-  thread_.request_stop();
-  if (thread_.joinable()) thread_.join();
-}
-
-void SessionStore::keep(const SessionState& state) {
-  const std::lock_guard lock(mutex_);
-  waiting_ = state;
-  changed_.notify_all();
+  if (has_lock) worker_ = Worker([this](const std::stop_token& stop) { write_latest(stop); });
 }
 
 std::optional<Error> SessionStore::problem() const {
@@ -273,25 +261,15 @@ std::optional<Error> SessionStore::problem() const {
   return problem_;
 }
 
-void SessionStore::write(const std::stop_token& stop) {
-  while (true) {
-    std::optional<SessionState> state;
-    {
-      std::unique_lock lock(mutex_);
-      changed_.wait(lock, stop, [&] { return waiting_.has_value(); });
-      // A dragged slider changes the session many times a second.
-      if (waiting_ && !stop.stop_requested())
-        changed_.wait_for(lock, stop, kGather, [] { return false; });
-      state = std::exchange(waiting_, std::nullopt);
-    }
-    if (state) {
-      const Status written = guarded(
-          [&] { return write_file_atomically(folder_ / kSession, session_to_json(*state)); });
-      const std::lock_guard lock(mutex_);
-      problem_ = written ? std::nullopt : std::optional(written.error());
-    } else if (stop.stop_requested()) {
-      return;
-    }
+void SessionStore::write_latest(const std::stop_token& stop) {
+  while (auto state = waiting_.wait(stop)) {
+    // A dragged slider changes the session many times a second.
+    static_cast<void>(is_stopped_within(stop, kGather));
+    if (auto newer = waiting_.take()) state = std::move(newer);
+    const Status written =
+        guarded([&] { return write_file_atomically(folder_ / kSession, session_to_json(*state)); });
+    const std::lock_guard lock(mutex_);
+    problem_ = written ? std::nullopt : std::optional(written.error());
   }
 }
 

@@ -2,19 +2,18 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/base/worker.h"
 #include "core/devices/camera_controls.h"
 #include "widgets/inspect/inspected_frame.h"
 #include "widgets/panels/image_panel.h"
 
 #include <QLockFile>
-#include <condition_variable>
 #include <filesystem>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
 namespace alltact {
@@ -56,7 +55,7 @@ class SessionStore {
   /// Makes `folder` where it is missing. A second program in the same folder saves nothing.
   explicit SessionStore(std::filesystem::path folder);
   /// Writes a pending session and marks the end as regular.
-  ~SessionStore();
+  ~SessionStore() = default;
   SessionStore(const SessionStore&) = delete;
   SessionStore& operator=(const SessionStore&) = delete;
 
@@ -65,22 +64,21 @@ class SessionStore {
   /// The program that saved it did not end regularly.
   [[nodiscard]] bool has_crashed() const { return has_crashed_; }
   /// Written within a second; of several only the latest.
-  void keep(const SessionState& state);
+  void keep(const SessionState& state) { waiting_.put(state); }
   /// Why the latest could not be written.
   [[nodiscard]] std::optional<Error> problem() const;
 
  private:
-  void write(const std::stop_token& stop);
+  void write_latest(const std::stop_token& stop);
 
   std::filesystem::path folder_;
   QLockFile lock_;
   bool has_crashed_ = false;
   std::optional<SessionState> last_;
-  mutable std::mutex mutex_;
-  std::condition_variable_any changed_;
-  std::optional<SessionState> waiting_;
+  Mailbox<SessionState> waiting_;
+  mutable std::mutex mutex_;  // of problem_
   std::optional<Error> problem_;
-  std::jthread thread_;
+  Worker worker_;  // last: it ends first
 };
 
 }  // namespace alltact

@@ -2,7 +2,6 @@
 
 #include "calibration/finger/measuring_presets.h"
 #include "calibration/live/frame_measurer.h"
-#include "core/base/guarded.h"
 #include "core/finger/force_model.h"
 #include "core/image/colour_map.h"
 #include "core/image/grey_range.h"
@@ -60,18 +59,19 @@ struct LiveFinger::Measuring {
 struct LiveFinger::State {
   mutable std::mutex mutex;
   FingerStatus status;
-  std::shared_ptr<Job> loading;   // the current one
-  std::optional<Measuring> next;  // loaded, for the measuring thread to take
-  std::shared_ptr<const LiveView> view;
+  std::shared_ptr<Job> loading;  // the current one
   RequestedLayers layers;
   double depth_top_mm = 1.0;
+
+  Mailbox<Measuring> next;  // loaded, for the measuring thread
+  Mailbox<std::shared_ptr<const LiveView>> view;
 };
 
 LiveFinger::LiveFinger(const FrameHub& hub, std::function<void()> on_update)
     : state_(std::make_shared<State>()),
       reader_(hub.reader()),
       on_update_(std::move(on_update)),
-      thread_([this](const std::stop_token& stop) { measure(stop); }) {}
+      worker_([this](const std::stop_token& stop) { measure(stop); }) {}
 
 LiveFinger::~LiveFinger() {
   const std::lock_guard lock(state_->mutex);
@@ -85,7 +85,7 @@ void LiveFinger::open_scene(const std::filesystem::path& scene) { load({}, scene
 void LiveFinger::load(const std::filesystem::path& folder, const std::filesystem::path& scene) {
   const auto state = state_;
   auto loading = std::make_shared<Job>();
-  std::optional<Measuring> unused;
+  std::optional<Measuring> replaced;  // freed outside the lock: it may hold a full recording
   std::uint64_t opened = 0;
   {
     const std::lock_guard lock(state->mutex);
@@ -96,12 +96,12 @@ void LiveFinger::load(const std::filesystem::path& folder, const std::filesystem
     state->status.opened = opened;
     state->status.folder = folder;
     if (folder.empty() && scene.empty()) {
-      unused = std::exchange(state->next, Measuring{.opened = opened});
+      replaced = state->next.put({.opened = opened});
       return;
     }
     state->status.state = FingerState::kLoading;
   }
-  std::thread([state, loading, opened, folder, scene] {
+  Worker([state, loading, opened, folder, scene] {
     FingerStatus status;
     status.opened = opened;
     status.folder = folder;
@@ -120,13 +120,13 @@ void LiveFinger::load(const std::filesystem::path& folder, const std::filesystem
     });
     if (!loaded) status.problem = loaded.error();
     status.state = status.problem ? FingerState::kFailed : FingerState::kReady;
-    std::optional<Measuring> unused;
+    std::optional<Measuring> replaced;
     const std::lock_guard lock(state->mutex);
     if (state->loading != loading) return;
     status.skipped = state->status.skipped;
     state->status = std::move(status);
-    unused = std::exchange(state->next, std::move(ready));
-  }).detach();
+    replaced = state->next.put(std::move(ready));
+  }).end_later();
 }
 
 void LiveFinger::measure(const std::stop_token& stop) {
@@ -135,20 +135,13 @@ void LiveFinger::measure(const std::stop_token& stop) {
   while (!stop.stop_requested()) {
     FramePtr frame = reader_.next(std::chrono::milliseconds(50));
     // The last frame of a source that has ended is shown; a finger opened later measures it, too.
-    if (!frame) {
-      const std::lock_guard lock(state_->mutex);
-      if (state_->next) frame = last;
-    }
+    if (!frame && !state_->next.is_empty()) frame = last;
     if (!frame) continue;
+    if (auto next = state_->next.take()) now = std::move(*next);
     RequestedLayers layers;
     auto view = std::make_shared<LiveView>();
-    std::optional<Measuring> before;  // freed outside the lock: it may hold a full recording
     {
       const std::lock_guard lock(state_->mutex);
-      if (state_->next) {
-        before = std::exchange(now, std::move(*state_->next));
-        state_->next.reset();
-      }
       layers = state_->layers;
       view->depth_top_mm = state_->depth_top_mm;
     }
@@ -164,15 +157,11 @@ void LiveFinger::measure(const std::stop_token& stop) {
       if (layers.faults) view->faults_layer = faults_layer(result.grey, result);
     });
     if (!drawn) view->problem = drawn.error();
-    bool is_new = false;
-    std::shared_ptr<const LiveView> missed;
     {
       const std::lock_guard lock(state_->mutex);
-      missed = std::exchange(state_->view, std::move(view));
-      is_new = missed == nullptr;
       state_->status.skipped = reader_.missed();
     }
-    if (is_new) on_update_();
+    if (!state_->view.put(std::move(view))) on_update_();
   }
 }
 
@@ -186,10 +175,7 @@ void LiveFinger::set_depth_top_mm(double top_mm) {
   state_->depth_top_mm = top_mm;
 }
 
-std::shared_ptr<const LiveView> LiveFinger::take() {
-  const std::lock_guard lock(state_->mutex);
-  return std::exchange(state_->view, nullptr);
-}
+std::shared_ptr<const LiveView> LiveFinger::take() { return state_->view.take().value_or(nullptr); }
 
 FingerStatus LiveFinger::status() const {
   const std::lock_guard lock(state_->mutex);

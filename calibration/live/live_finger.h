@@ -1,6 +1,7 @@
 // Measures the newest frame on a separate thread, with the open finger.
 #pragma once
 
+#include "core/base/worker.h"
 #include "core/finger/finger_store.h"
 #include "core/sensing/frame_result.h"
 #include "core/sources/source.h"
@@ -8,7 +9,6 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <thread>
 
 #include <opencv2/core.hpp>
 
@@ -68,7 +68,9 @@ class LiveFinger {
  public:
   /// `on_update` is called on the measuring thread whenever there is a new view to take.
   LiveFinger(const FrameHub& hub, std::function<void()> on_update);
-  ~LiveFinger();  ///< ends the threads; requests loading to stop, without waiting
+  /// Waits for the frame that is being measured. finish_workers() waits for a finger that is being
+  /// loaded.
+  ~LiveFinger();
   LiveFinger(const LiveFinger&) = delete;
   LiveFinger& operator=(const LiveFinger&) = delete;
 
@@ -93,7 +95,7 @@ class LiveFinger {
   std::shared_ptr<State> state_;
   LatestFrameReader reader_;
   std::function<void()> on_update_;
-  std::jthread thread_;
+  Worker worker_;
 };
 
 }  // namespace alltact

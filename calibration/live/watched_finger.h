@@ -3,17 +3,15 @@
 
 #include "core/base/job.h"
 #include "core/base/result.h"
+#include "core/base/worker.h"
 #include "core/finger/finger_store.h"
 #include "core/sensing/pipeline.h"
 
 #include <chrono>
-#include <condition_variable>
 #include <filesystem>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <optional>
-#include <thread>
 
 namespace alltact {
 
@@ -41,7 +39,7 @@ class WatchedFinger {
   /// Switches to the folder's present finger, if it is loaded. True when it switches.
   [[nodiscard]] bool take_update();
   /// Why a change cannot be used, once for each change.
-  [[nodiscard]] std::optional<Error> take_problem();
+  [[nodiscard]] std::optional<Error> take_problem() { return problem_.take(); }
 
  private:
   struct Ready {
@@ -50,7 +48,6 @@ class WatchedFinger {
   };
   WatchedFinger(std::shared_ptr<FingerStore> store, MakePipeline make, Ready now,
                 std::chrono::milliseconds poll_interval);
-  void poll(const std::stop_token& stop, std::chrono::milliseconds poll_interval);
   void poll_once();
 
   std::shared_ptr<FingerStore> store_;
@@ -61,12 +58,10 @@ class WatchedFinger {
   std::string unreadable_;  // its reported problem
   Job loading_;
 
-  std::mutex mutex_;  // guards:
-  std::condition_variable_any ending_;
-  std::optional<Ready> next_;
-  std::optional<Error> problem_;
+  Mailbox<Ready> next_;
+  Mailbox<Error> problem_;
 
-  std::jthread thread_;  // last: it ends first
+  Worker worker_;  // last: it ends first
 };
 
 }  // namespace alltact

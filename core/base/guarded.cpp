@@ -1,9 +1,11 @@
 #include "core/base/guarded.h"
 
 #include <algorithm>
+#include <mutex>
 #include <new>
 #include <system_error>
 
+#include <fmt/core.h>
 #include <opencv2/core.hpp>
 
 namespace alltact {
@@ -19,7 +21,26 @@ Error unexpected(std::string reason) {
   return {en::say("unexpected: {}", reason), "", en::say("reporting this as a defect")};
 }
 
+std::function<void(const Error&)>& unexpected_receiver() {
+  // Never destroyed: threads may report until the program's end.
+  static auto* const receiver = new std::function<void(const Error&)>;
+  return *receiver;
+}
+
+std::mutex receiver_mutex;
+
 }  // namespace
+
+void report_unexpected(const Error& error) {
+  const std::lock_guard lock(receiver_mutex);
+  if (unexpected_receiver()) return unexpected_receiver()(error);
+  fmt::print(stderr, "{}\n", error.sentence());
+}
+
+void set_unexpected_receiver(std::function<void(const Error&)> receiver) {
+  const std::lock_guard lock(receiver_mutex);
+  unexpected_receiver() = std::move(receiver);
+}
 
 Error caught_error() {
   try {

@@ -3,9 +3,17 @@
 
 #include "core/base/result.h"
 
+#include <functional>
 #include <type_traits>
 
 namespace alltact {
+
+// Errors that nobody waits for, as those of a thread of its own.
+
+/// Any thread. Goes to the receiver; without one, as one line to the standard error stream.
+void report_unexpected(const Error& error);
+/// Called on the reporting thread, one report at a time; must not report itself.
+void set_unexpected_receiver(std::function<void(const Error&)> receiver);
 
 /// The error for the exception that is being handled. Only within `catch`.
 [[nodiscard]] Error caught_error();

@@ -1,7 +1,6 @@
 #include "core/base/slow_disk.h"
 
 #include "core/base/atomic_file.h"
-#include "core/base/guarded.h"
 
 #include <algorithm>
 #include <atomic>
@@ -14,7 +13,6 @@
 #include <mutex>
 #include <optional>
 #include <sstream>
-#include <thread>
 
 #include <fmt/format.h>
 #include <pthread.h>
@@ -147,21 +145,20 @@ DiskWait::~DiskWait() {
 struct DiskWatch::State {
   std::chrono::milliseconds timeout;
   std::function<void(const fs::path&)> on_slow;
-  std::condition_variable ending;
-  bool is_ending = false;
   std::map<std::string, Clock::time_point> last_slow;  ///< by mount point
-  std::thread thread;
+  Worker worker;                                       // last: it ends first
 
-  void run() {
+  void run(const std::stop_token& stop) {
     const auto poll_interval = timeout / 8;
-    std::unique_lock lock(mutex());
-    while (!ending.wait_for(lock, poll_interval, [&] { return is_ending; })) {
-      for (auto& [key, wait] : waits()) update(wait, 2 * poll_interval);
-      const std::vector<fs::path> files = slow_files();
-      lock.unlock();  // a report may block where nobody reads it
-      for (const fs::path& file : files) report(file);
-      lock.lock();
-    }
+    while (!is_stopped_within(stop, poll_interval))
+      for (const fs::path& file : update_all(2 * poll_interval)) report(file);
+  }
+
+  /// The files that are slow now. A report may block where nobody reads it: without the mutex.
+  [[nodiscard]] std::vector<fs::path> update_all(std::chrono::milliseconds longest) const {
+    const std::lock_guard lock(mutex());
+    for (auto& [key, wait] : waits()) update(wait, longest);
+    return slow_files();
   }
 
   /// With the mutex held.
@@ -197,18 +194,13 @@ DiskWatch::DiskWatch(std::chrono::milliseconds timeout,
   state_->on_slow = std::move(on_slow);
   assert(!is_watched);
   is_watched = true;
-  state_->thread = std::thread([s = state_.get()] { s->run(); });
+  state_->worker = Worker([s = state_.get()](const std::stop_token& stop) { s->run(stop); });
 }
 
 DiskWatch::~DiskWatch() {
-  {
-    const std::lock_guard lock(mutex());
-    state_->is_ending = true;
-    is_watched = false;
-    waits().clear();
-  }
-  state_->ending.notify_all();
-  state_->thread.join();
+  const std::lock_guard lock(mutex());
+  is_watched = false;
+  waits().clear();
 }
 
 std::vector<fs::path> DiskWatch::slow() const {
@@ -222,12 +214,7 @@ Error slow_disk(const fs::path& file) {
                   "network or cable")};
 }
 
-DiskQueue::DiskQueue() : thread_([this](const std::stop_token& stop) { work(stop); }) {}
-
-DiskQueue::~DiskQueue() {
-  thread_.request_stop();
-  thread_.join();
-}
+DiskQueue::DiskQueue() : worker_([this](const std::stop_token& stop) { work(stop); }) {}
 
 void DiskQueue::add(fs::path file, Task task) {
   const std::lock_guard lock(mutex_);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/base/worker.h"
 
 #include <chrono>
 #include <condition_variable>
@@ -12,7 +13,6 @@
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <thread>
 #include <vector>
 
 namespace alltact {
@@ -64,7 +64,7 @@ class DiskQueue {
   using Task = std::function<Status()>;
 
   DiskQueue();
-  ~DiskQueue();  ///< finishes all tasks first
+  ~DiskQueue() = default;  ///< finishes all tasks first
   DiskQueue(const DiskQueue&) = delete;
   DiskQueue& operator=(const DiskQueue&) = delete;
 
@@ -93,7 +93,7 @@ class DiskQueue {
   std::deque<Waiting> tasks_;
   bool is_busy_ = false;
   std::vector<Failed> problems_;  // latest last
-  std::jthread thread_;
+  Worker worker_;                 // last: it ends first
 };
 
 }  // namespace alltact

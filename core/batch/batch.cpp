@@ -1,6 +1,7 @@
 #include "core/batch/batch.h"
 
 #include "core/base/guarded.h"
+#include "core/numerics/parallel.h"
 #include "core/sensing/result_json.h"
 
 #include <cassert>
@@ -8,7 +9,6 @@
 #include <deque>
 #include <map>
 #include <mutex>
-#include <thread>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -45,12 +45,11 @@ class Batch {
     skip_to_first();
     const std::size_t count = is_sequential ? 1 : pipelines_.size();
     window_ = count + 1;
-    {
-      std::vector<std::jthread> others;
-      for (std::size_t i = 1; i < count; ++i)
-        others.emplace_back([this, i] { work_on(pipelines_[i], false); });
-      work_on(pipelines_.front(), is_sequential);
-    }
+    const int threads = static_cast<int>(count);
+    parallel_for(threads, threads, [&](int begin, int end) {
+      for (int i = begin; i < end; ++i)
+        work_on(pipelines_[static_cast<std::size_t>(i)], is_sequential);
+    });
     return failed_ ? Status(*failed_) : Status();
   }
 

@@ -46,12 +46,7 @@ GaugeLog::GaugeLog(std::unique_ptr<GaugeSource> source, GaugeOpener open, std::s
     : open_(std::move(open)),
       name_(std::move(name)),
       source_(std::move(source)),
-      thread_([this] { run(); }) {}
-
-GaugeLog::~GaugeLog() {
-  stopping_ = true;
-  thread_.join();
-}
+      worker_([this](const std::stop_token& stop) { run(stop); }) {}
 
 Status GaugeLog::begin(const std::filesystem::path& file) {
   const std::lock_guard lock(mutex_);
@@ -98,13 +93,13 @@ std::vector<Message> GaugeLog::take_remarks() {
   return std::exchange(remarks_, {});
 }
 
-void GaugeLog::run() {
+void GaugeLog::run(const std::stop_token& stop) {
   bool is_reported = false;
-  while (!stopping_) {
+  while (!stop.stop_requested()) {
     if (!source_) {
       auto again = guarded(open_);
       if (!again) {
-        std::this_thread::sleep_for(kGaugeRetry);
+        static_cast<void>(is_stopped_within(stop, kGaugeRetry));
         continue;
       }
       source_ = std::move(*again);

@@ -13,17 +13,16 @@
 #include "core/base/descriptor.h"
 #include "core/base/message.h"
 #include "core/base/result.h"
+#include "core/base/worker.h"
 #include "core/devices/gauge_source.h"
 #include "core/image/frame.h"
 
-#include <atomic>
 #include <cstdint>
 #include <deque>
 #include <filesystem>
 #include <memory>
 #include <mutex>
 #include <string>
-#include <thread>
 #include <vector>
 
 namespace alltact {
@@ -38,7 +37,7 @@ class GaugeLog {
  public:
   /// name: written at the top of each file. Errors: those of the opener.
   [[nodiscard]] static Result<std::unique_ptr<GaugeLog>> start(GaugeOpener open, std::string name);
-  ~GaugeLog();
+  ~GaugeLog() = default;
   GaugeLog(const GaugeLog&) = delete;
   GaugeLog& operator=(const GaugeLog&) = delete;
 
@@ -59,7 +58,7 @@ class GaugeLog {
 
  private:
   GaugeLog(std::unique_ptr<GaugeSource> source, GaugeOpener open, std::string name);
-  void run();
+  void run(const std::stop_token& stop);
   void take(const GaugeUpdate& update);
   void write(const GaugeSample& sample);
   void write_text(const std::string& text);
@@ -77,8 +76,7 @@ class GaugeLog {
   double clock_offset_s_ = 0;
   Status status_;
   Counts counts_;
-  std::atomic<bool> stopping_{false};
-  std::thread thread_;
+  Worker worker_;  // last: it ends first
 };
 
 }  // namespace alltact

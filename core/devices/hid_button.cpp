@@ -172,12 +172,7 @@ HidButton::HidButton(Opener open, ButtonPattern pattern, std::function<void()> o
     : open_(std::move(open)),
       pattern_(std::move(pattern)),
       on_press_(std::move(on_press)),
-      thread_([this] { run(); }) {}
-
-HidButton::~HidButton() {
-  stopping_ = true;
-  thread_.join();
-}
+      worker_([this](const std::stop_token& stop) { run(stop); }) {}
 
 Status HidButton::status() const {
   const std::lock_guard lock(mutex_);
@@ -189,25 +184,24 @@ void HidButton::set_status(Status status) {
   status_ = std::move(status);
 }
 
-void HidButton::run() {
-  while (!stopping_) {
-    std::unique_ptr<HidPort> port;  // open until the next attempt, so that its node is not reused
+void HidButton::run(const std::stop_token& stop) {
+  std::unique_ptr<HidPort> port;  // open until the next attempt, so that its node is not reused
+  do {
+    port.reset();
     const Status ran = guarded([&] {
       auto opened = open_();
       set_status(opened ? Status() : Status(opened.error()));
       if (!opened) return;
       port = std::move(*opened);
-      listen(*port);
+      listen(*port, stop);
     });
     if (!ran) set_status(ran);
-    for (const auto end = Clock::now() + kReopenInterval; !stopping_ && Clock::now() < end;)
-      std::this_thread::sleep_for(std::chrono::milliseconds(kSlice_ms));
-  }
+  } while (!is_stopped_within(stop, kReopenInterval));
 }
 
-void HidButton::listen(HidPort& port) {
+void HidButton::listen(HidPort& port, const std::stop_token& stop) {
   bool was_pressed = false;
-  while (!stopping_) {
+  while (!stop.stop_requested()) {
     const auto report = port.read(100);
     if (!report.ok()) return set_status(report.error());
     if (report->size() != pattern_.report_bytes) continue;  // timeout, or another kind

@@ -3,15 +3,14 @@
 
 #include "core/base/job.h"
 #include "core/base/result.h"
+#include "core/base/worker.h"
 #include "core/devices/hid_port.h"
 
-#include <atomic>
 #include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
 namespace alltact {
@@ -77,7 +76,7 @@ class HidButton {
  public:
   using Opener = std::function<Result<std::unique_ptr<HidPort>>()>;
   HidButton(Opener open, ButtonPattern pattern, std::function<void()> on_press);
-  ~HidButton();
+  ~HidButton() = default;  ///< waits for a running `on_press`
   HidButton(const HidButton&) = delete;
   HidButton& operator=(const HidButton&) = delete;
 
@@ -85,8 +84,8 @@ class HidButton {
   [[nodiscard]] Status status() const;
 
  private:
-  void run();
-  void listen(HidPort& port);
+  void run(const std::stop_token& stop);
+  void listen(HidPort& port, const std::stop_token& stop);
   void set_status(Status status);
 
   Opener open_;
@@ -94,8 +93,7 @@ class HidButton {
   std::function<void()> on_press_;
   mutable std::mutex mutex_;
   Status status_;
-  std::atomic<bool> stopping_{false};
-  std::thread thread_;
+  Worker worker_;  // last: it ends first
 };
 
 }  // namespace alltact

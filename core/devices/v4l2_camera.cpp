@@ -56,7 +56,7 @@ Result<std::unique_ptr<V4l2Camera>> V4l2Camera::open(const CameraAccess& access,
   std::unique_ptr<V4l2Camera> camera(new V4l2Camera(access, criteria));
   camera->restore_values_ = controls;
   if (const Status status = camera->start(std::move(*device)); !status) return status.error();
-  camera->thread_ = std::thread([camera = camera.get()] { camera->run(); });
+  camera->worker_ = Worker([camera = camera.get()] { camera->run(); });
   return camera;
 }
 
@@ -69,7 +69,7 @@ void V4l2Camera::stop() {
   stopping_ = true;
   const std::uint64_t one = 1;
   [[maybe_unused]] const auto written = ::write(wake_, &one, sizeof one);
-  if (thread_.joinable()) thread_.join();
+  worker_.join();
   hub_.close();
 }
 

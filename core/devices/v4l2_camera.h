@@ -5,6 +5,7 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/base/worker.h"
 #include "core/devices/camera_controls.h"
 #include "core/devices/v4l2_device.h"
 #include "core/image/frame.h"
@@ -18,7 +19,6 @@
 #include <memory>
 #include <mutex>
 #include <string>
-#include <thread>
 #include <vector>
 
 namespace alltact {
@@ -186,7 +186,7 @@ class V4l2Camera {
   std::deque<Message> remarks_;
 
   std::atomic<bool> stopping_{false};
-  std::thread thread_;
+  Worker worker_;
 };
 
 /// A camera as a Source: every frame in order.

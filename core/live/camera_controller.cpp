@@ -1,12 +1,8 @@
 #include "core/live/camera_controller.h"
 
-#include "core/base/guarded.h"
-
 #include <chrono>
-#include <condition_variable>
 #include <deque>
 #include <mutex>
-#include <thread>
 
 namespace alltact {
 namespace {
@@ -18,8 +14,7 @@ constexpr std::chrono::seconds kReportTime{10};  // duration of the message abou
 
 struct CameraController::State {
   mutable std::mutex mutex;
-  std::condition_variable changed;
-  bool is_ending = false;
+  std::condition_variable_any changed;
   std::shared_ptr<V4l2Camera> camera;
   bool is_lock_requested = true;
   bool is_lock_changed = false;  // to be sent to the camera...
@@ -28,14 +23,14 @@ struct CameraController::State {
   CameraControllerStatus status;
   std::chrono::steady_clock::time_point reported_since;
 
-  void run() {
+  void run(const std::stop_token& stop) {
     std::unique_lock lock(mutex);
-    while (!is_ending) {
+    while (!stop.stop_requested()) {
       const auto working = camera;
       if (working) serve(*working, lock);
-      changed.wait_for(lock, kControlPoll, [&] {
+      changed.wait_for(lock, stop, kControlPoll, [&] {
         // Changes without a camera wait for one.
-        return is_ending || camera != working || (camera && (!changes.empty() || is_lock_urgent));
+        return camera != working || (camera && (!changes.empty() || is_lock_urgent));
       });
     }
   }
@@ -73,15 +68,13 @@ struct CameraController::State {
   }
 };
 
-CameraController::CameraController() : state_(std::make_shared<State>()) {
-  std::thread([state = state_] { state->run(); }).detach();
-}
+CameraController::CameraController()
+    : state_(std::make_shared<State>()),
+      worker_([state = state_](const std::stop_token& stop) { state->run(stop); }) {}
 
 CameraController::~CameraController() {
-  const std::lock_guard lock(state_->mutex);
-  state_->is_ending = true;
-  state_->camera.reset();
-  state_->changed.notify_all();
+  attach(nullptr, {});
+  worker_.end_later();
 }
 
 void CameraController::attach(std::shared_ptr<V4l2Camera> camera,

@@ -1,6 +1,7 @@
 // Controls a camera without blocking the window: a thread of its own makes every system call.
 #pragma once
 
+#include "core/base/worker.h"
 #include "core/devices/v4l2_camera.h"
 
 #include <memory>
@@ -34,6 +35,7 @@ class CameraController {
  private:
   struct State;
   std::shared_ptr<State> state_;  // the thread may be inside a slow driver when this ends
+  Worker worker_;
 };
 
 }  // namespace alltact

@@ -1,6 +1,5 @@
 #include "core/live/source_runner.h"
 
-#include "core/base/guarded.h"
 #include "core/devices/led_dimmer.h"
 #include "core/sources/source.h"
 
@@ -20,7 +19,6 @@ constexpr std::int64_t kSecond_ns = 1'000'000'000;
 // A source slower than its own times falls behind permanently, although its frames are not old. The
 // smallest delay in this window therefore determines the offset of its clock.
 constexpr std::int64_t kClockWindow_ns = kSecond_ns / 2;
-std::atomic<int> unfinished{0};
 constexpr std::chrono::milliseconds kFaultPause{20};  // a source that fails at once must not spin
 
 }  // namespace
@@ -68,8 +66,8 @@ struct SourceRunner::Run {
   double period_s = 0;
   int finishers = 0;
 
-  static void start(const std::shared_ptr<Run>& run, std::shared_ptr<Run> before) {
-    std::thread([run, before = std::move(before)]() mutable {
+  static Worker start(const std::shared_ptr<Run>& run, std::shared_ptr<Run> before) {
+    return Worker([run, before = std::move(before)]() mutable {
       if (before) before->wait_for_end(std::nullopt);
       before.reset();
       if (const Status ran = guarded([&] { run->work(run); }); !ran) {
@@ -79,7 +77,7 @@ struct SourceRunner::Run {
       const std::lock_guard lock(run->mutex);
       run->is_ended = true;
       run->ended.notify_all();
-    }).detach();
+    });
   }
 
   static void request_stop(const std::shared_ptr<Run>& self) {
@@ -92,7 +90,7 @@ struct SourceRunner::Run {
     }
     // On another thread: it joins the capturing thread, which may be inside a slow driver.
     if (running)
-      std::thread([self, camera = std::move(running)]() mutable {
+      Worker([self, camera = std::move(running)]() mutable {
         static_cast<void>(guarded([&] {
           camera->stop();
           camera.reset();
@@ -100,7 +98,7 @@ struct SourceRunner::Run {
         const std::lock_guard lock(self->mutex);
         --self->finishers;
         self->ended.notify_all();
-      }).detach();
+      }).end_later();
   }
 
   /// False: it still runs.
@@ -241,19 +239,17 @@ struct SourceRunner::Run {
       done = std::exchange(recorder, nullptr);
       recording.state = RecordingState::kFinishing;
       ++finishers;
-      ++unfinished;
     }
-    std::thread([self, done, why] {
+    Worker([self, done, why] {
       const Status finished = guarded([&] { return done->finish(why); });
       const RecorderCounts counts = done->counts();
-      --unfinished;
       const std::lock_guard lock(self->mutex);
       self->recording.state = RecordingState::kDone;
       self->recording.counts = counts;
       if (!finished) self->recording.problem = finished.error();
       --self->finishers;
       self->ended.notify_all();
-    }).detach();
+    }).end_later();
   }
 
   void end(const std::shared_ptr<Run>& self) {
@@ -272,6 +268,7 @@ SourceRunner::~SourceRunner() {
   const auto run = run_;
   close();
   if (run) run->wait_for_end(kStopTimeout);
+  worker_.end_later();
 }
 
 void SourceRunner::open(std::vector<std::filesystem::path> inputs, std::uint64_t seed) {
@@ -293,7 +290,9 @@ void SourceRunner::open(std::vector<std::filesystem::path> inputs, std::uint64_t
     const std::lock_guard lock(before->publish_mutex);
     before->hub = nullptr;
   }
-  Run::start(run, before);
+  const std::lock_guard lock(mutex_);
+  worker_.end_later();
+  worker_ = Run::start(run, before);
 }
 
 void SourceRunner::close() {
@@ -331,8 +330,6 @@ void SourceRunner::stop_recording() {
   const std::lock_guard lock(mutex_);
   if (run_) run_->is_stop_requested = true;
 }
-
-int SourceRunner::unfinished_recordings() { return unfinished; }
 
 SourceStatus SourceRunner::status() const {
   const std::lock_guard lock(mutex_);

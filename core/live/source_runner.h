@@ -1,6 +1,7 @@
 // Runs a source for the window: opens, reads and records it on threads of its own.
 #pragma once
 
+#include "core/base/worker.h"
 #include "core/devices/led_dimmer.h"
 #include "core/devices/v4l2_camera.h"
 #include "core/open/open_source.h"
@@ -61,8 +62,8 @@ struct SourceStatus {
 class SourceRunner {
  public:
   explicit SourceRunner(FrameHub& hub, SourceOpener opener = &alltact::open_source);
-  /// Asks everything to stop and waits for it, at most `kStopTimeout`. Threads in a stuck driver
-  /// end later by themselves.
+  /// Asks everything to stop and waits for it, at most `kStopTimeout`. finish_workers() waits for
+  /// the rest.
   ~SourceRunner();
   SourceRunner(const SourceRunner&) = delete;
   SourceRunner& operator=(const SourceRunner&) = delete;
@@ -82,8 +83,6 @@ class SourceRunner {
   [[nodiscard]] RecordingStatus recording() const;
   /// The running camera; null where the source is none.
   [[nodiscard]] std::shared_ptr<V4l2Camera> camera() const;
-  /// Number of this program's recordings whose last frames are being written.
-  [[nodiscard]] static int unfinished_recordings();
   /// Age of a frame at `now_ns` of the monotonic clock; empty for images without times. Times of
   /// another clock are aligned by the frame of the last half second with the smallest delay.
   [[nodiscard]] std::optional<double> age_ms(const Frame& frame, std::int64_t now_ns) const;
@@ -94,6 +93,7 @@ class SourceRunner {
   SourceOpener opener_;
   mutable std::mutex mutex_;
   std::shared_ptr<Run> run_;
+  Worker worker_;  // of run_
   std::optional<DimmerSetting> light_;
 };
 

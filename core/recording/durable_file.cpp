@@ -75,27 +75,11 @@ Status restore_file(int descriptor, const std::filesystem::path& file, const Job
 
 SteadySync::SteadySync(std::vector<std::filesystem::path> files, std::chrono::milliseconds every)
     : files_(std::move(files)),
-      every_(every),
       descriptors_(files_.size()),
-      thread_([this] { run(); }) {}
-
-SteadySync::~SteadySync() {
-  {
-    const std::lock_guard lock(mutex_);
-    is_ending_ = true;
-  }
-  ending_.notify_all();
-  thread_.join();
-}
-
-void SteadySync::run() {
-  std::unique_lock lock(mutex_);
-  while (!ending_.wait_for(lock, every_, [&] { return is_ending_; })) {
-    lock.unlock();
-    static_cast<void>(guarded([this] { sync(); }));  // the writer reports failures
-    lock.lock();
-  }
-}
+      worker_([this, every](const std::stop_token& stop) {
+        while (!is_stopped_within(stop, every))
+          static_cast<void>(guarded([this] { sync(); }));  // the writer reports failures
+      }) {}
 
 void SteadySync::sync() {
   for (std::size_t i = 0; i < files_.size(); ++i) {

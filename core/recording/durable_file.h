@@ -4,12 +4,10 @@
 #include "core/base/descriptor.h"
 #include "core/base/job.h"
 #include "core/base/result.h"
+#include "core/base/worker.h"
 
 #include <chrono>
-#include <condition_variable>
 #include <filesystem>
-#include <mutex>
-#include <thread>
 #include <vector>
 
 namespace alltact {
@@ -36,20 +34,14 @@ class SteadySync {
   SteadySync(std::vector<std::filesystem::path> files, std::chrono::milliseconds every);
   SteadySync(const SteadySync&) = delete;
   SteadySync& operator=(const SteadySync&) = delete;
-  /// Waits for a running sync.
-  ~SteadySync();
+  ~SteadySync() = default;  ///< waits for a running sync
 
  private:
-  void run();
   void sync();
 
   const std::vector<std::filesystem::path> files_;
-  const std::chrono::milliseconds every_;
   std::vector<Descriptor> descriptors_;  // of the files; not open: not there yet
-  std::mutex mutex_;
-  std::condition_variable ending_;
-  bool is_ending_ = false;
-  std::thread thread_;
+  Worker worker_;                        // last: it ends first
 };
 
 }  // namespace alltact

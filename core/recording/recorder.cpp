@@ -3,6 +3,7 @@
 #include "core/base/descriptor.h"
 #include "core/base/guarded.h"
 #include "core/base/result.h"
+#include "core/base/worker.h"
 #include "core/recording/durable_file.h"
 #include "core/recording/journal.h"
 
@@ -11,7 +12,6 @@
 #include <condition_variable>
 #include <deque>
 #include <mutex>
-#include <thread>
 
 #include <fcntl.h>
 #include <sys/statvfs.h>
@@ -119,7 +119,7 @@ struct Recorder::State {
   bool is_ending = false;
 
   std::optional<SteadySync> sync;
-  std::jthread thread;
+  Worker worker;
 
   State(fs::path file_, const RecorderSettings& settings_, double fps, JournalWriter journal_)
       : file(std::move(file_)),
@@ -286,7 +286,7 @@ Status Recorder::State::save_removed(const Error& removed, const Job& job) {
 Recorder::Recorder(std::unique_ptr<State> state) : state_(std::move(state)) {}
 
 Recorder::~Recorder() {
-  if (state_->thread.joinable()) [[maybe_unused]]
+  if (state_->worker.is_begun()) [[maybe_unused]]
     const Status ignored = finish("given up");
 }
 
@@ -315,7 +315,7 @@ Result<std::unique_ptr<Recorder>> Recorder::start(const fs::path& file,
   auto state = std::make_unique<State>(file, settings, frames_per_s, std::move(*journal));
   state->counts.free_bytes = free_bytes;
   state->sync.emplace(std::vector{file, journal_of(file)}, kSyncInterval);
-  state->thread = std::jthread([s = state.get()] { s->run(); });
+  state->worker = Worker([s = state.get()] { s->run(); });
   return std::unique_ptr<Recorder>(new Recorder(std::move(state)));
 }
 
@@ -355,13 +355,13 @@ std::optional<Error> Recorder::problem() const {
 
 Status Recorder::finish(std::string_view why, const Job& job) {
   State& s = *state_;
-  assert(s.thread.joinable());
+  assert(s.worker.is_begun());
   {
     const std::lock_guard lock(s.mutex);
     s.is_ending = true;
     s.changed.notify_all();
   }
-  s.thread.join();
+  s.worker.join();
   return s.close(why, job);
 }
 

@@ -34,7 +34,7 @@ void wait_frame_period(double frames_per_s, const std::function<bool()>& is_stop
 }
 
 NewestSource::NewestSource(std::unique_ptr<Source> source)
-    : source_(std::move(source)), thread_([this](const std::stop_token& stop) { run(stop); }) {}
+    : source_(std::move(source)), worker_([this](const std::stop_token& stop) { run(stop); }) {}
 
 void NewestSource::run(const std::stop_token& stop) {
   while (!stop.stop_requested()) {

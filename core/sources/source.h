@@ -3,6 +3,7 @@
 
 #include "core/base/job.h"
 #include "core/base/result.h"
+#include "core/base/worker.h"
 #include "core/image/frame.h"
 
 #include <chrono>
@@ -14,7 +15,6 @@
 #include <mutex>
 #include <optional>
 #include <stop_token>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -114,7 +114,7 @@ class NewestSource : public Source {
   FramePtr newest_;
   std::uint64_t skipped_ = 0;
   bool is_over_ = false;
-  std::jthread thread_;  // last: it ends first
+  Worker worker_;  // last: it ends first
 };
 
 // One writer, many readers: viewers get the latest frame, recorders get every frame.

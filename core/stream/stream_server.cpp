@@ -4,6 +4,7 @@
 #include "core/base/guarded.h"
 #include "core/base/message.h"
 #include "core/base/result.h"
+#include "core/base/worker.h"
 #include "core/stream/stream_format.h"
 
 #include <algorithm>
@@ -18,7 +19,6 @@
 #include <mutex>
 #include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include <fmt/format.h>
@@ -258,7 +258,7 @@ struct StreamServer::State {
   std::uint64_t lost_by_dropped = 0;
   std::optional<Clock::time_point> accept_after;  // pause after a failed accept()
 
-  std::jthread thread;  // last: it ends first
+  Worker worker;  // last: it ends first
 
   void wake() const {
     const std::uint64_t one = 1;
@@ -397,7 +397,7 @@ Result<std::unique_ptr<StreamServer>> StreamServer::start(const std::filesystem:
   if (!woken.is_open())
     return system_error(en::say("programs could not connect here"), socket, errno);
   auto state = std::make_unique<State>(std::move(*listening), std::move(woken));
-  state->thread = std::jthread([s = state.get()] { s->run(); });
+  state->worker = Worker([s = state.get()] { s->run(); });
   return std::unique_ptr<StreamServer>(new StreamServer(std::move(state)));
 }
 
@@ -433,7 +433,7 @@ void StreamServer::end(std::string json) {
     state_->is_ending = true;
   }
   state_->wake();
-  if (state_->thread.joinable()) state_->thread.join();
+  state_->worker.join();
 }
 
 namespace {

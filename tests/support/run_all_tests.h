@@ -2,8 +2,10 @@
 // user's cache.
 #pragma once
 
+#include "core/base/worker.h"
 #include "tests/support/own_cache.h"
 
+#include <cstdio>
 #include <cstdlib>
 
 #include <gtest/gtest.h>
@@ -41,7 +43,10 @@ inline int run_all_tests(int argc, char** argv) {
   const OwnCache cache;
   testing::InitGoogleTest(&argc, argv);
   testing::UnitTest::GetInstance()->listeners().Append(new Reseed);
-  return RUN_ALL_TESTS();
+  const int status = RUN_ALL_TESTS();
+  if (finish_workers(std::chrono::seconds(20))) return status;
+  std::fputs("A thread that a test left does not end.\n", stderr);
+  std::_Exit(1);
 }
 
 }  // namespace alltact::test

@@ -29,6 +29,5 @@ int main(int argc, char** argv) {
   QCoreApplication::setApplicationName("alltact-studio-tests");
   const int status = alltact::test::run_all_tests(argc, argv);
   home.reset();
-  // As in the Studio: work that still runs must not meet objects that are being destroyed.
-  std::quick_exit(status);
+  return status;
 }

@@ -1,6 +1,5 @@
 #include "widgets/controls/devices.h"
 
-#include "core/base/guarded.h"
 #include "core/devices/hot_plug.h"
 #include "widgets/controls/control_panel.h"
 #include "widgets/language.h"
@@ -9,7 +8,6 @@
 #include <algorithm>
 #include <atomic>
 #include <mutex>
-#include <thread>
 
 #include <poll.h>
 #include <sys/eventfd.h>
@@ -48,7 +46,7 @@ struct CameraFinder::Shared {
     for (bool is_first = true;; is_first = false) {
       std::vector<FoundCamera> found;
       if (const Status listed = guarded([&] { found = lister(); }); !listed) {
-        UnexpectedErrors::instance().report(listed.error());
+        report_unexpected(listed.error());
         found = reported;  // asked again after the next interval
       }
       {
@@ -79,7 +77,7 @@ CameraFinder::CameraFinder(Lister lister, QObject* parent)
     : QObject(parent), shared_(std::make_shared<Shared>()) {
   shared_->finder = this;
   shared_->lister = lister ? std::move(lister) : [] { return list_cameras(kernel_calls()); };
-  std::thread([shared = shared_] { shared->run(); }).detach();
+  worker_ = Worker([shared = shared_] { shared->run(); });
 }
 
 CameraFinder::~CameraFinder() {
@@ -87,6 +85,7 @@ CameraFinder::~CameraFinder() {
   shared_->finder = nullptr;
   const std::uint64_t one = 1;
   [[maybe_unused]] const auto written = ::write(shared_->wake, &one, sizeof one);
+  worker_.end_later();
 }
 
 namespace {
@@ -158,7 +157,7 @@ struct Pedal::Shared {
       const std::lock_guard lock(shared->mutex);
       shared->pedal = nullptr;
     }
-    std::thread([shared] { shared->button.reset(); }).detach();
+    Worker([shared] { shared->button.reset(); }).end_later();
   }
 };
 

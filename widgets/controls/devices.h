@@ -1,6 +1,7 @@
 // Lists the connected cameras and reports each change.
 #pragma once
 
+#include "core/base/worker.h"
 #include "core/devices/camera_list.h"
 #include "core/devices/hid_button.h"
 #include "core/devices/hid_port.h"
@@ -34,6 +35,7 @@ class CameraFinder : public QObject {
  private:
   struct Shared;
   std::shared_ptr<Shared> shared_;
+  Worker worker_;
   std::vector<FoundCamera> cameras_;
 };
 

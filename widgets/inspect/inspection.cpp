@@ -1,13 +1,12 @@
 #include "widgets/inspect/inspection.h"
 
-#include "core/base/guarded.h"
+#include "core/base/worker.h"
 #include "core/sensing/surface_measurement.h"
 
 #include <QMetaObject>
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
-#include <thread>
 #include <utility>
 
 namespace alltact {
@@ -21,14 +20,15 @@ constexpr auto kScanDelay = std::chrono::milliseconds(700);
 /// State shared by the worker and the window's thread.
 struct Inspection::Shared {
   std::mutex mutex;
-  std::condition_variable wakeup;
+  std::condition_variable_any wakeup;
   InspectRequest request;
   bool is_requested = false, is_working = false, is_scanning = false, is_at_end = false;
   Clock::time_point last_request_at;
-  std::optional<InspectAnswer> answer;
-  std::optional<Inspector::SummaryUpdate> summaries;
-  std::shared_ptr<Job> job = std::make_shared<Job>();  // of the running work
-  std::jthread thread;
+  Job job;  // stopped at the end
+
+  Mailbox<InspectAnswer> answer;
+  Mailbox<Inspector::SummaryUpdate> summaries;
+  Worker worker;
 
   /// Changes the request and wakes the worker.
   void change_request(const std::function<void(InspectRequest&)>& change, bool is_enough) {
@@ -46,44 +46,40 @@ struct Inspection::Shared {
   /// Waits for work. Requests in quick succession, as during playback, are not interrupted by
   /// scanning: that would clear what is tracked over frames.
   void wait(std::unique_lock<std::mutex>& lock, const std::stop_token& stop) {
-    const auto is_enough = [&] { return stop.stop_requested() || is_requested; };
-    if (may_scan() && wakeup.wait_until(lock, last_request_at + kScanDelay, is_enough)) return;
-    if (!may_scan()) wakeup.wait(lock, [&] { return is_enough() || may_scan(); });
+    const auto is_enough = [&] { return is_requested; };
+    if (may_scan() && wakeup.wait_until(lock, stop, last_request_at + kScanDelay, is_enough))
+      return;
+    if (!may_scan()) wakeup.wait(lock, stop, [&] { return is_enough() || may_scan(); });
   }
   /// With the lock held.
   [[nodiscard]] bool is_due() const {
     return may_scan() && Clock::now() >= last_request_at + kScanDelay;
   }
-  /// With the lock held. Returns true where the window must be notified.
+  /// Returns true where the window must be notified.
   bool add(Inspector::SummaryUpdate more) {
     if (more.summaries.empty() && !more.is_from_scratch) return false;
-    const bool is_notified = summaries.has_value();
-    if (!summaries || more.is_from_scratch) {
-      more.is_from_scratch = more.is_from_scratch || (summaries && summaries->is_from_scratch);
-      summaries = std::move(more);
-    } else {
-      summaries->summaries.insert(summaries->summaries.end(), more.summaries.begin(),
-                                  more.summaries.end());
-    }
-    return !is_notified;
+    return summaries.change([&](std::optional<Inspector::SummaryUpdate>& before) {
+      if (!before || more.is_from_scratch) {
+        more.is_from_scratch = more.is_from_scratch || (before && before->is_from_scratch);
+        before = std::move(more);
+      } else {
+        before->summaries.insert(before->summaries.end(), more.summaries.begin(),
+                                 more.summaries.end());
+      }
+    });
   }
 };
 
 Inspection::Inspection(QObject* parent) : QObject(parent), shared_(std::make_shared<Shared>()) {
   Shared* shared = shared_.get();
-  shared->thread = std::jthread([this, shared](const std::stop_token& stop) {
+  shared->worker = Worker([this, shared](const std::stop_token& stop) {
     Inspector inspector;
-    const std::stop_callback wake(stop, [shared] {
-      const std::lock_guard lock(shared->mutex);
-      shared->job->request_stop();
-      shared->wakeup.notify_one();
-    });
+    const std::stop_callback end_work(stop, [shared] { shared->job.request_stop(); });
     std::unique_lock lock(shared->mutex);
     while (!stop.stop_requested()) {
       shared->wait(lock, stop);
       if (stop.stop_requested()) return;
       const InspectRequest request = shared->request;
-      const auto job = shared->job;
       const bool is_requested = std::exchange(shared->is_requested, false);
       if (!is_requested && !shared->is_due()) continue;
       shared->is_working = is_requested;
@@ -92,28 +88,26 @@ Inspection::Inspection(QObject* parent) : QObject(parent), shared_(std::make_sha
       bool goes_on = is_requested;
       Inspector::SummaryUpdate update;
       const Status inspected = guarded([&] {
-        if (!is_requested) goes_on = inspector.scan_next(*job);
-        if (is_requested) answer = inspector(request, *job);
+        if (!is_requested) goes_on = inspector.scan_next(shared->job);
+        if (is_requested) answer = inspector(request, shared->job);
         update = inspector.update();
       });
       if (!inspected && is_requested) answer = InspectAnswer{{}, {}, inspected.error()};
+      if (shared->add(std::move(update)))
+        QMetaObject::invokeMethod(this, &Inspection::take_summaries, Qt::QueuedConnection);
       lock.lock();
       shared->is_working = false;
       if (is_requested) shared->last_request_at = Clock::now();
       shared->is_at_end = !goes_on;  // a request may have opened another recording
-      if (shared->add(std::move(update)))
-        QMetaObject::invokeMethod(this, &Inspection::take_summaries, Qt::QueuedConnection);
-      if (!answer) continue;
-      const bool is_notified = shared->answer.has_value();
-      shared->answer = std::move(answer);
-      if (!is_notified) QMetaObject::invokeMethod(this, &Inspection::take, Qt::QueuedConnection);
+      if (answer && !shared->answer.put(std::move(*answer)))
+        QMetaObject::invokeMethod(this, &Inspection::take, Qt::QueuedConnection);
     }
   });
 }
 
 Inspection::~Inspection() {
-  shared_->thread.request_stop();
-  shared_->thread.join();
+  shared_->worker.request_stop();
+  shared_->worker.join();
 }
 
 void Inspection::set_finger(const std::filesystem::path& folder) {
@@ -172,33 +166,26 @@ bool Inspection::is_busy() const {
 }
 
 void Inspection::take_summaries() {
-  Inspector::SummaryUpdate update;
-  {
-    const std::lock_guard lock(shared_->mutex);
-    if (!shared_->summaries) return;
-    update = std::move(*shared_->summaries);
-    shared_->summaries.reset();
-  }
-  if (update.is_from_scratch) summaries_.clear();
-  summaries_.insert(summaries_.end(), update.summaries.begin(), update.summaries.end());
+  const auto update = shared_->summaries.take();
+  if (!update) return;
+  if (update->is_from_scratch) summaries_.clear();
+  summaries_.insert(summaries_.end(), update->summaries.begin(), update->summaries.end());
   Q_EMIT summaries_changed();
 }
 
 void Inspection::take() {
-  InspectAnswer answer;
+  const auto answer = shared_->answer.take();
+  if (!answer) return;
   {
     const std::lock_guard lock(shared_->mutex);
-    if (!shared_->answer) return;
-    answer = std::move(*shared_->answer);
-    shared_->answer.reset();
     // The answer may be of a closed recording, or of the live finger.
-    if (answer.recording && answer.recording->input != shared_->request.input) return;
-    if (!answer.recording && !answer.problem && !shared_->request.live) return;
+    if (answer->recording && answer->recording->input != shared_->request.input) return;
+    if (!answer->recording && !answer->problem && !shared_->request.live) return;
   }
-  recording_ = answer.recording;
-  problem_ = answer.problem;
-  if (answer.frame || problem_) {  // the former frame is of another request or finger
-    frame_ = answer.frame;
+  recording_ = answer->recording;
+  problem_ = answer->problem;
+  if (answer->frame || problem_) {  // the former frame is of another request or finger
+    frame_ = answer->frame;
     Q_EMIT frame_ready();
   }
   Q_EMIT state_changed();

@@ -71,13 +71,14 @@ FakeCamera& camera() {
   static FakeCamera* camera = [] {
     auto* made = new FakeCamera(rig().options);
     if (rig().unplug_after > 0) {
-      std::thread([made] {
+      static auto* const plugging = new std::thread([made] {
         while (made->filled() < rig().unplug_after)
           std::this_thread::sleep_for(std::chrono::milliseconds(1));
         made->unplug();
         std::this_thread::sleep_for(std::chrono::milliseconds(rig().back_after_ms));
         made->plug_in();
-      }).detach();
+      });
+      static_cast<void>(plugging);
     }
     return made;
   }();
