@@ -19,6 +19,7 @@
 #include <random>
 
 #include <gtest/gtest.h>
+#include <malloc.h>
 #include <opencv2/imgcodecs.hpp>
 
 namespace alltact {
@@ -155,17 +156,6 @@ void calibrate(const test::FlatFinger& flat, int& calibrated, const std::atomic<
   }
 }
 
-/// Samples of the process as a table, for people.
-void keep(const std::vector<test::ProcessFigures>& samples) {
-  const char* file = std::getenv("ALLTACT_SOAK_FILE");
-  if (file == nullptr) return;
-  std::ofstream table(file);
-  table << "t_s,resident_mb,descriptors,threads,files\n";
-  for (const test::ProcessFigures& one : samples)
-    table << one.time_s - samples.front().time_s << ',' << one.resident_mb << ',' << one.descriptors
-          << ',' << one.threads << ',' << one.files << '\n';
-}
-
 /// Every fault that passes, in turn.
 class Disturbance {
  public:
@@ -226,13 +216,14 @@ TEST(LiveUse, NothingGrowsAndNoFrameIsLostInSilence) {
   constexpr int kSamples = 120;
   std::vector<test::ProcessFigures> samples;
   for (int i = 0; i < kSamples; ++i) {
+    malloc_trim(0);
     samples.push_back(test::process_figures(bench.folder.path()));
     faults.go_on(std::chrono::milliseconds(duration()) / kSamples);
   }
   faults.end();
   is_over = true;
   for (std::thread* thread : {&measuring, &recording, &calibrating, &looking}) thread->join();
-  keep(samples);
+  test::keep_figures(samples);
   const double growth_mb = test::rise_of(samples, &test::ProcessFigures::resident_mb);
   const CameraStatus status = camera->status();
   RecordProperty("growth_mb", std::to_string(growth_mb));

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
 #include <vector>
 
-#include <malloc.h>
 #include <unistd.h>
 
 namespace alltact::test {
@@ -28,16 +28,20 @@ inline double entries_in(const std::filesystem::path& folder) {
   return count;
 }
 
+/// Main memory that this process uses now.
+inline double resident_mb() {
+  std::ifstream statm("/proc/self/statm");
+  double pages = 0, resident = 0;
+  statm >> pages >> resident;
+  return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
+}
+
 /// Of this process now. `folder`: whose files are counted, at any depth.
 inline ProcessFigures process_figures(const std::filesystem::path& folder) {
   ProcessFigures figures;
   figures.time_s =
       std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-  malloc_trim(0);
-  std::ifstream statm("/proc/self/statm");
-  double pages = 0, resident = 0;
-  statm >> pages >> resident;
-  figures.resident_mb = resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
+  figures.resident_mb = resident_mb();
   figures.descriptors = entries_in("/proc/self/fd");
   figures.threads = entries_in("/proc/self/task");
   std::error_code gone;
@@ -60,6 +64,17 @@ inline double rise_of(const std::vector<ProcessFigures>& samples, double Process
   const auto middle = slopes.begin() + static_cast<std::ptrdiff_t>(slopes.size() / 2);
   std::nth_element(slopes.begin(), middle, slopes.end());
   return *middle * (samples.back().time_s - samples.front().time_s);
+}
+
+/// Samples of the process as a table, for people, in the file that ALLTACT_SOAK_FILE names.
+inline void keep_figures(const std::vector<ProcessFigures>& samples) {
+  const char* file = std::getenv("ALLTACT_SOAK_FILE");
+  if (file == nullptr) return;
+  std::ofstream table(file);
+  table << "t_s,resident_mb,descriptors,threads,files\n";
+  for (const ProcessFigures& one : samples)
+    table << one.time_s - samples.front().time_s << ',' << one.resident_mb << ',' << one.descriptors
+          << ',' << one.threads << ',' << one.files << '\n';
 }
 
 }  // namespace alltact::test
