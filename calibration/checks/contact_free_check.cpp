@@ -26,7 +26,8 @@ double worst_patch_mm(const DepthMap& depth) {
         patches.push_back(std::abs(depth.cells_mm.at<float>(row, column)));
     }
   if (patches.empty()) return 0;
-  const auto at = patches.begin() + static_cast<std::ptrdiff_t>(kWorst * (patches.size() - 1.0));
+  const auto at = patches.begin() +
+                  static_cast<std::ptrdiff_t>(kWorst * (static_cast<double>(patches.size()) - 1.0));
   std::nth_element(patches.begin(), at, patches.end());
   return static_cast<double>(*at);
 }

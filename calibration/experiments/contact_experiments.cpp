@@ -196,7 +196,8 @@ double top_of(const std::vector<ExperimentMap>& differences) {
     for (const float mm : difference.mm)
       if (std::isfinite(mm)) sizes.push_back(std::abs(static_cast<double>(mm)));
     if (sizes.empty()) continue;
-    const auto nearly_all = sizes.begin() + static_cast<std::ptrdiff_t>(0.98 * sizes.size());
+    const auto nearly_all =
+        sizes.begin() + static_cast<std::ptrdiff_t>(0.98 * static_cast<double>(sizes.size()));
     std::nth_element(sizes.begin(), nearly_all, sizes.end());
     top_mm = std::max(top_mm, *nearly_all);
   }
@@ -217,7 +218,7 @@ class ReliefMaps {
   }
   void add(const Message& method, const Message& difference, const cv::Mat& depth_mm) {
     const cv::Mat_<float> estimated = map_of(depth_mm, pixels_);
-    maps_.differences.push_back({difference, estimated - maps_.depths.front().mm});
+    maps_.differences.push_back({difference, cv::Mat(estimated - maps_.depths.front().mm)});
     maps_.depths.push_back({method, estimated});
     maps_.difference_top_mm = top_of(maps_.differences);
   }

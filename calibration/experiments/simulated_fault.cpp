@@ -38,7 +38,7 @@ std::string scene_text(Fault fault, bool pressed) {
         "  - {{use: bulge, share: {}, width_mm: 1.2}}\n",
         kBallRadiusMm, loose ? 1.6 : 0.6, loose ? 0.15 : 0.03);
   }
-  const double light = fault == Fault::kOtherLight && pressed ? kMoreLight : 1.0;
+  const double light = fault == Fault::kBrighterLight && pressed ? kMoreLight : 1.0;
   return text + fmt::format(
                     "  - {{use: layer, scatter_per_mm: 0.6, along: normal}}\n"
                     "  - use: leds\n"
@@ -82,7 +82,7 @@ Result<SimulatedCalibration> simulate_calibration(Fault fault, std::uint64_t see
   settings.correct_light = correct_light;
   Pipeline pipeline = Pipeline::with_library(std::move(*library), *finger, settings);
 
-  const double radius_mm = kBallRadiusMm * (fault == Fault::kBallRadius ? kRadiusError : 1.0);
+  const double radius_mm = kBallRadiusMm * (fault == Fault::kWrongRadius ? kRadiusError : 1.0);
   SimulatedCalibration made;
   std::vector<Press> presses;
   for (int i = 0; i < pressed->frame_count(); ++i) {

@@ -14,10 +14,10 @@ namespace alltact {
 
 enum class Fault {
   kNone = 1,
-  kBallRadius,         ///< given 10 % too large
+  kWrongRadius,        ///< given 10 % too large
   kMovedCamera,        ///< moved by a few pixels between reference and presses
   kAutomaticExposure,  ///< another gain in every press, within 6 %
-  kOtherLight,         ///< 5 % more light than in the reference
+  kBrighterLight,      ///< 5 % more light than in the reference
   kLooseSkin,          ///< the skin leaves the ball early and bulges brightly around it
 };
 

@@ -327,12 +327,14 @@ ForceBasis learn_force_basis(const std::vector<ForceInput>& filled,
   Eigen::MatrixXd all = displacements(filled, rows);
   basis.mean_px = all.colwise().mean();
   all.rowwise() -= basis.mean_px.transpose();
-  basis.scale = ((all.colwise().squaredNorm() / std::max<double>(1.0, all.rows() - 1.0)).array() +
-                 kColumnNoisePx * kColumnNoisePx)
-                    .sqrt()
-                    .inverse()
-                    .matrix()
-                    .transpose();
+  basis.scale =
+      ((all.colwise().squaredNorm() / std::max(1.0, static_cast<double>(all.rows()) - 1.0))
+           .array() +
+       kColumnNoisePx * kColumnNoisePx)
+          .sqrt()
+          .inverse()
+          .matrix()
+          .transpose();
   basis.components.resize(all.cols(), 0);
   if (kind == ForceKind::kMean) return basis;
   all = all * basis.scale.asDiagonal();

@@ -400,7 +400,8 @@ std::vector<Eigen::Index> drawn_order(Eigen::Index n, std::uint64_t seed, std::s
   std::iota(order.begin(), order.end(), 0);
   for (std::size_t i = order.size(); i > 1; --i) {
     const double drawn = philox_uniform(seed, who, which, static_cast<std::uint32_t>(i));
-    std::swap(order[i - 1], order[std::min(i - 1, static_cast<std::size_t>(drawn * i))]);
+    std::swap(order[i - 1],
+              order[std::min(i - 1, static_cast<std::size_t>(drawn * static_cast<double>(i)))]);
   }
   return order;
 }

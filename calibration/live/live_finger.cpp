@@ -120,12 +120,12 @@ void LiveFinger::load(const std::filesystem::path& folder, const std::filesystem
     });
     if (!loaded) status.problem = loaded.error();
     status.state = status.problem ? FingerState::kFailed : FingerState::kReady;
-    std::optional<Measuring> replaced;
+    std::optional<Measuring> former;
     const std::lock_guard lock(state->mutex);
     if (state->loading != loading) return;
     status.skipped = state->status.skipped;
     state->status = std::move(status);
-    replaced = state->next.put(std::move(ready));
+    former = state->next.put(std::move(ready));
   }).end_later();
 }
 

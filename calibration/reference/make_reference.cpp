@@ -486,7 +486,9 @@ void add_motion(const std::vector<const StudiedFrame*>& frames, const StudiedFra
     std::vector<TipPose> poses;
     for (const StudiedFrame* frame : frames)
       if (pair < frame->pairs.size() && frame->pairs[pair]) poses.push_back(*frame->pairs[pair]);
-    if (poses.size() < kNearlyAll * static_cast<double>(frames.size()) || poses.empty()) continue;
+    if (static_cast<double>(poses.size()) < kNearlyAll * static_cast<double>(frames.size()) ||
+        poses.empty())
+      continue;
     const TipPose& from =
         rest && pair < rest->pairs.size() && rest->pairs[pair] ? *rest->pairs[pair] : poses.front();
     for (const TipPose& pose : poses) coverage.add(motion_between(from, pose));

@@ -156,9 +156,9 @@ void drop_inconsistent(const std::vector<Dot>& typical, Rows& rows) {
 // interpolated.
 Eigen::MatrixXd layouts_of(const Rows& rows) {
   const std::size_t count = rows.seen.front().size();
-  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
   Eigen::MatrixXd layouts = Eigen::MatrixXd::Constant(static_cast<Eigen::Index>(rows.seen.size()),
-                                                      static_cast<Eigen::Index>(2 * count), kNaN);
+                                                      static_cast<Eigen::Index>(2 * count),
+                                                      std::numeric_limits<double>::quiet_NaN());
   for (std::size_t i = 0; i < rows.seen.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(i);
     for (std::size_t m = 0; m < count; ++m)

@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMaxCachedBytes = std::size_t{512} << 20;
+constexpr std::size_t kMaxCachedBytes = std::size_t{128} << 20;
 
 // The reference video, created at its first frame.
 class ReferenceVideo {
@@ -308,7 +308,8 @@ class Study {
 
 double quantile_of(std::vector<double> values, double part) {
   if (values.empty()) return 0;
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(part * (values.size() - 1.0));
+  const auto at = values.begin() +
+                  static_cast<std::ptrdiff_t>(part * (static_cast<double>(values.size()) - 1.0));
   std::nth_element(values.begin(), at, values.end());
   return *at;
 }

@@ -16,9 +16,9 @@ namespace {
 
 // Next to the face's edges a shift of a tenth of a pixel is visible as a change of brightness.
 constexpr double kPatchRimPx = 1.5, kRimMm = 1.0;
-constexpr double kEndMm = 4.0;     // from either end of the visible part: light ends there
-constexpr float kMinPixels = 2;    // of a patch
-constexpr float kMaxHidden = 0.1;  // maximum fraction of a patch that a frame does not show
+constexpr double kEndMm = 4.0;      // from either end of the visible part: light ends there
+constexpr float kMinPixels = 2;     // of a patch
+constexpr float kMaxHidden = 0.1F;  // maximum fraction of a patch that a frame does not show
 
 /// Arc length from the face's base of a column of the grid; below 0 before it.
 double length_at(const FaceChart& chart, std::size_t column) {

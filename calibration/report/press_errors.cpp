@@ -137,7 +137,7 @@ MeanSd mean_sd(const ComparedPress& compared, const PressResiduals& contact,
                const Mapping& mapping) {
   const auto& [press, reference] = compared;
   Difference difference = press->difference;
-  cv::Mat1b mask = cv::Mat1b::zeros(difference.x.size());
+  cv::Mat1b mask(difference.x.size(), 0);
   for (const ResidualSample& sample : contact.samples)
     if (sample.ball_depth_mm > kInContactMm)
       mask(static_cast<int>(sample.pixel.y()), static_cast<int>(sample.pixel.x())) = 1;

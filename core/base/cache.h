@@ -70,7 +70,8 @@ class SharedValues {
   };
   /// Marks the entry as finished, also after an exception.
   struct MakingGuard {
-    MakingGuard(SharedValues& all, std::string key) : all(all), key(std::move(key)) {}
+    MakingGuard(SharedValues& all_values, std::string made_key)
+        : all(all_values), key(std::move(made_key)) {}
     MakingGuard(const MakingGuard&) = delete;
     MakingGuard& operator=(const MakingGuard&) = delete;
     ~MakingGuard() {

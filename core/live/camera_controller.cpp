@@ -46,7 +46,7 @@ struct CameraController::State {
     std::optional<Result<std::vector<CameraControl>>> controls;
     const Status ran = guarded([&] {
       for (const ControlValue& change : todo)
-        if (const Status status = working.set_control(change); !status) problem = status.error();
+        if (const Status set = working.set_control(change); !set) problem = set.error();
       // Unplugged: tried again at the next poll.
       if (change_lock && lock_requested) is_lock_failed = !working.lock().ok();
       if (change_lock && !lock_requested) working.unlock();

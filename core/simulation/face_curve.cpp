@@ -130,9 +130,9 @@ void FaceCurve::integrate() {
     if (turn[i] > kSeriesTurn) {
       x[i] = z[i] = 0;
       for (std::size_t k = 0; k < 3; ++k) {
-        const double theta = hermite(a.theta, a.theta_s, b.theta, b.theta_s, cell_mm_, kGaussAt[k]);
-        x[i] += kGaussWeight[k] * std::cos(theta);
-        z[i] += kGaussWeight[k] * std::sin(theta);
+        const double angle = hermite(a.theta, a.theta_s, b.theta, b.theta_s, cell_mm_, kGaussAt[k]);
+        x[i] += kGaussWeight[k] * std::cos(angle);
+        z[i] += kGaussWeight[k] * std::sin(angle);
       }
     }
     b.x_mm = a.x_mm + cell_mm_ * x[i];

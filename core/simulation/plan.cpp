@@ -450,7 +450,7 @@ void Plan::State::render_light(FramePlan plan, int first, int last, cv::Mat_<flo
 cv::Mat Plan::State::render_multi_pass(const FramePlan& plan, const FrameGeometry& geometry_now,
                                        int threads) const {
   const cv::Size size = rays.camera().size();
-  cv::Mat_<float> grey = cv::Mat_<float>::zeros(size);
+  cv::Mat_<float> grey(size, 0.0F);
   parallel_for(size.height, threads,
                [&](int first, int last) { render_light(plan, first, last, grey); });
   cv::Mat bytes;

@@ -240,8 +240,8 @@ int milliseconds_until(Clock::time_point then, Clock::time_point now) {
 }  // namespace
 
 struct StreamServer::State {
-  State(ListeningSocket listening, Descriptor woken)
-      : listening(std::move(listening)), woken(std::move(woken)) {}
+  State(ListeningSocket socket, Descriptor wake_event)
+      : listening(std::move(socket)), woken(std::move(wake_event)) {}
 
   ListeningSocket listening;
   Descriptor woken;  // an eventfd

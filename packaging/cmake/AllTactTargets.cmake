@@ -80,6 +80,8 @@ function(alltact_library name)
   endforeach()
   if(arg_SHARED)
     add_library(alltact_${name} SHARED ${arg_SOURCES})
+    # Where results are computed every narrowing is written down.
+    target_compile_options(alltact_${name} PRIVATE -Wshadow -Wconversion)
     set_target_properties(
       alltact_${name} PROPERTIES OUTPUT_NAME alltact-${name} EXPORT_NAME ${name} VERSION ${PROJECT_VERSION}
                                  SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}

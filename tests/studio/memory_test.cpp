@@ -101,7 +101,8 @@ TEST(WindowMemory, StaysBelow600MegabytesInAllPlaces) {
               growth_mb);
   if (kIsSanitized) return;  // sanitizers keep what was freed
   EXPECT_LT(most_mb, kAllowed_mb);
-  if (samples.size() > 20) EXPECT_LT(growth_mb, 20);
+  if (samples.size() < 20) return;  // the first rounds fill caches
+  EXPECT_LT(growth_mb, 20);
 }
 
 }  // namespace

@@ -52,7 +52,7 @@ std::vector<Entry> catalogue() {
   return {
       {Fault::kNone, Shown::kCloud, text("No fault"),
        text("One narrow cloud from zero to the deepest press, on the line.")},
-      {Fault::kOtherLight, Shown::kLight, text("Other light than when the reference was taken"),
+      {Fault::kBrighterLight, Shown::kLight, text("Other light than when the reference was taken"),
        text("Here 5 % more: all bars alike and beyond the dashed lines. The program corrects it "
             "and says so. Left uncorrected, every press would seem less deep.")},
       {Fault::kAutomaticExposure, Shown::kLight, text("Automatic exposure"),
@@ -65,7 +65,7 @@ std::vector<Entry> catalogue() {
        text("Crosses away from the line near zero: towards the rim the skin no longer follows the "
             "ball, and swells brightly beside it. Common, and no fault as long as the dots lie on "
             "the line: only the inner part is used.")},
-      {Fault::kBallRadius, Shown::kCloud, text("Wrong radius of the ball"),
+      {Fault::kWrongRadius, Shown::kCloud, text("Wrong radius of the ball"),
        text("Here given 10 % too large: it looks as good as no fault, and every depth is 9 % too "
             "small. No residual shows a wrong radius. Measure the ball with callipers; a check "
             "with a ball of another size shows it (alltact check --presses --ball-radius-mm).")},

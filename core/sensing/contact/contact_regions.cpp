@@ -331,7 +331,8 @@ class RegionSums {
     if (options.pressed) {
       const DepthErrorTerms causes = pressed_at(options, deepest_px_, region.deepest_mm);
       region.deepest_sd_mm = sd_of_deepest(causes);
-      region.limits |= limits_of(causes, options.is_light_doubtful) & kDoubtfulLight;
+      if ((limits_of(causes, options.is_light_doubtful) & kDoubtfulLight) != 0)
+        region.limits |= kDoubtfulLight;
     }
     if (options.pressed)
       region.position_covariance_mm2 = contact_covariance_mm2(

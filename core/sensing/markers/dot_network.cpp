@@ -300,9 +300,9 @@ bool read_port(std::string_view message, OnnxPort& port) {
     if (dim.number != 1 || !dim.is_bytes) return;
     std::int64_t size = 0;
     is_complete &= each_field(dim.bytes, [&](const Field& f) {
-      constexpr auto kMaxSide =
+      constexpr auto kLargest =
           static_cast<std::uint64_t>(std::numeric_limits<std::int32_t>::max());
-      if (f.number == 1 && !f.is_bytes) size = f.value <= kMaxSide ? static_cast<int>(f.value) : 0;
+      if (f.number == 1 && !f.is_bytes) size = f.value <= kLargest ? static_cast<int>(f.value) : 0;
     });
     port.shape.push_back(size);
   };

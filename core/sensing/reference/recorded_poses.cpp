@@ -288,7 +288,8 @@ std::size_t sample_after(const EdgeCurves& curves, double u) {
 }
 
 double value_below(std::vector<double> values, double part) {
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(part * (values.size() - 1.0));
+  const auto at = values.begin() +
+                  static_cast<std::ptrdiff_t>(part * (static_cast<double>(values.size()) - 1.0));
   std::nth_element(values.begin(), at, values.end());
   return *at;
 }

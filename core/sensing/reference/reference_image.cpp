@@ -166,7 +166,8 @@ std::pair<int, int> ReferenceImage::columns_within(int first, int end) const {
   return between(std::max(0, warp_.inner_first()), std::min(size_.width, warp_.inner_end()),
                  [&](int u) {
                    const auto [low, high] = warp_.reach(u);
-                   return low >= first + origin_.x && high <= end - 1 + origin_.x;
+                   return low >= static_cast<float>(first + origin_.x) &&
+                          high <= static_cast<float>(end - 1 + origin_.x);
                  });
 }
 
@@ -174,7 +175,8 @@ std::pair<int, int> ReferenceImage::columns_within(int first, int end) const {
 std::pair<int, int> ReferenceImage::columns_overlapping(int first, int end) const {
   return between(std::max(0, warp_.first()), std::min(size_.width, warp_.end()), [&](int u) {
     const auto [low, high] = warp_.reach(u);
-    return high >= first + origin_.x && low <= end - 1 + origin_.x;
+    return high >= static_cast<float>(first + origin_.x) &&
+           low <= static_cast<float>(end - 1 + origin_.x);
   });
 }
 

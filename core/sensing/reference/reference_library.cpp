@@ -138,20 +138,20 @@ std::vector<char> ReferenceLibrary::Content::incomplete_frames(const ChartWarp& 
   int end = std::min(grid.size.width, column(warp.reach(warp.end() - 1).second) + 2);
   if (first >= shown.first && end <= shown.second) return {};
   // Limited to the columns that enough frames show.
-  std::vector<int> firsts, ends;
+  std::vector<int> firsts, face_ends;
   for (std::size_t i = 0; i < faces.size(); ++i) {
     if (!without.empty() && without[i]) continue;
     firsts.push_back(faces[i].first);
-    ends.push_back(faces[i].end);
+    face_ends.push_back(faces[i].end);
   }
   const auto required = static_cast<std::size_t>(neighbours);
   const std::size_t enough = 2 * required;
   if (firsts.size() < enough) return {};
   const auto nth = static_cast<std::ptrdiff_t>(enough);
   std::nth_element(firsts.begin(), firsts.begin() + nth - 1, firsts.end());
-  std::nth_element(ends.begin(), ends.end() - nth, ends.end());
+  std::nth_element(face_ends.begin(), face_ends.end() - nth, face_ends.end());
   first = std::max(first, firsts[enough - 1]);
-  end = std::min(end, *(ends.end() - nth));
+  end = std::min(end, *(face_ends.end() - nth));
   std::vector<char> hidden(faces.size(), 0);
   std::size_t left = 0;
   for (std::size_t i = 0; i < faces.size(); ++i) {

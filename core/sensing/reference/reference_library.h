@@ -26,6 +26,9 @@
 
 namespace alltact {
 
+/// Main memory for the faces of a recording: 150 of a camera of 1920 x 1080 pixels.
+inline constexpr std::size_t kRecordedFaces_bytes = std::size_t{192} << 20;
+
 class ReferenceLibrary {
  public:
   /// Reads the recording that a finger names, reduced as the finger is (finger_store.h), which
@@ -37,13 +40,12 @@ class ReferenceLibrary {
   /// that another process read is loaded from the user's cache, with the same bytes.
   /// Errors: files missing or unreadable; table and video disagree.
   static Result<ReferenceLibrary> load(const FingerSnapshot& finger, const Job& job,
-                                       std::size_t memory_limit_bytes = std::size_t{512} << 20);
+                                       std::size_t memory_limit_bytes = kRecordedFaces_bytes);
 
   /// The same from given frames, at the pixels of `camera` as is their table.
-  static Result<ReferenceLibrary> from_frames(const RecordingInput& frames, const Finger& finger,
-                                              const Camera& camera, const Job& job,
-                                              std::size_t memory_limit_bytes = std::size_t{512}
-                                                                               << 20);
+  static Result<ReferenceLibrary> from_frames(
+      const RecordingInput& frames, const Finger& finger, const Camera& camera, const Job& job,
+      std::size_t memory_limit_bytes = kRecordedFaces_bytes);
 
   /// The one reference image of a flat sensor.
   static Result<ReferenceLibrary> single(const cv::Mat& grey);

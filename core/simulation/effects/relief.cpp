@@ -73,7 +73,7 @@ std::shared_ptr<const Body> read_height_map(YamlSection& p) {
   cv::minMaxLoc(*image, nullptr, &max_value);
   cv::Mat_<float> gap_mm;
   image->convertTo(gap_mm, CV_32F, -height_mm / 255, height_mm * max_value / 255);
-  return height_map(cv::max(gap_mm, 0.0F), mm_per_px);
+  return height_map(cv::Mat_<float>(cv::Mat(cv::max(gap_mm, 0.0F))), mm_per_px);
 }
 
 std::shared_ptr<const Body> relief_body(YamlSection& p) {

@@ -108,8 +108,9 @@ void smooth(SampledPress& press, double length_mm) {
   const double sd_steps = length_mm / press.step_mm;
   pad_grid(press, static_cast<int>(std::ceil(4 * sd_steps)) + 1);
   const std::vector<double> weights = gaussian(sd_steps);
-  const cv::Mat_<float> along = blurred_rows(press.depth_mm, weights).t();
-  press.depth_mm = blurred_rows(along, weights).t();
+  cv::Mat_<float> along;
+  cv::transpose(blurred_rows(press.depth_mm, weights), along);
+  cv::transpose(blurred_rows(along, weights), press.depth_mm);
 }
 
 class Rolloff final : public GeometryEffect {

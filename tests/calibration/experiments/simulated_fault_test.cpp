@@ -34,14 +34,14 @@ TEST(FaultSigns, AreSilentOnGoodDataAndNameTheRightFault) {
     EXPECT_THAT(fault_signs(made(Fault::kAutomaticExposure, seed).signs),
                 ElementsAre(says("from press to press")))
         << seed;
-    EXPECT_THAT(fault_signs(made(Fault::kOtherLight, seed).signs),
+    EXPECT_THAT(fault_signs(made(Fault::kBrighterLight, seed).signs),
                 ElementsAre(says("brighter in all presses")))
         << seed;
   }
 }
 
 TEST(FaultSigns, TellHowMuchTheLightHasChanged) {
-  for (const PressSign& sign : made(Fault::kOtherLight, 3).signs)
+  for (const PressSign& sign : made(Fault::kBrighterLight, 3).signs)
     EXPECT_NEAR(sign.light_change, 0.05, 0.005);
   const auto signs = made(Fault::kAutomaticExposure, 3).signs;
   ASSERT_EQ(signs.size(), 4U);
@@ -53,7 +53,7 @@ TEST(FaultSigns, TellHowMuchTheLightHasChanged) {
 TEST(FaultSigns, AWrongRadiusCannotBeSeenAndIsAsWrongAsItIs) {
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
     const SimulatedCalibration good = made(Fault::kNone, seed),
-                               wrong = made(Fault::kBallRadius, seed);
+                               wrong = made(Fault::kWrongRadius, seed);
     EXPECT_THAT(fault_signs(wrong.signs), IsEmpty());
     EXPECT_LT(wrong.calibration.held_out_mm, 2 * good.calibration.held_out_mm + 0.005);
     const auto right = Mapping::create(good.calibration.mapping);
@@ -72,8 +72,8 @@ TEST(FaultSigns, OtherLightShiftsAllDepthsUnlessItIsCorrected) {
     return sum / static_cast<double>(calibration.calibration.balls.size());
   };
   const double good = deepest(made(Fault::kNone, 5));
-  EXPECT_NEAR(deepest(made(Fault::kOtherLight, 5, true)), good, 0.02);
-  EXPECT_GT(std::abs(deepest(made(Fault::kOtherLight, 5, false)) - good), 0.05);
+  EXPECT_NEAR(deepest(made(Fault::kBrighterLight, 5, true)), good, 0.02);
+  EXPECT_GT(std::abs(deepest(made(Fault::kBrighterLight, 5, false)) - good), 0.05);
 }
 
 TEST(FaultSigns, AreTheSameEveryTime) {
