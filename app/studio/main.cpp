@@ -17,6 +17,7 @@
 #include <filesystem>
 #include <iostream>
 
+#include <malloc.h>
 #include <opencv2/core/utils/logger.hpp>
 
 namespace {
@@ -77,6 +78,7 @@ int main(int argc, char** argv) {
         << "There is no display to open a window on. Try: the command line, alltact --help.\n";
     return 1;
   }
+  mallopt(M_ARENA_MAX, 2);  // threads with an arena each would hold memory that others lack
   // Decoders' own messages would mix with this program's sentences.
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
   cv::setNumThreads(1);  // capture, sensing and painting have a thread each already

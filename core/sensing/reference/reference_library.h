@@ -26,8 +26,8 @@
 
 namespace alltact {
 
-/// Main memory for the faces of a recording: 150 of a camera of 1920 x 1080 pixels.
-inline constexpr std::size_t kRecordedFaces_bytes = std::size_t{192} << 20;
+/// Main memory for the faces of a recording: 125 of a camera of 1920 x 1080 pixels.
+inline constexpr std::size_t kRecordedFaces_bytes = std::size_t{160} << 20;
 
 class ReferenceLibrary {
  public:
