@@ -102,7 +102,7 @@ Result<FrameLine> ResultFiles::write(BatchFrame& frame, const Pipeline& pipeline
   line.line = result_line(result, frame.index, reference_method(*options_));
   line.is_measured = result.depth.has_value();
   line.total_ms = result.times_ms.total;
-  if (frame.contacts) line.contacts = contacts_of(*frame.contacts);
+  line.evidence = result.evidence;
   if (!result.depth) {
     for (const Message& problem : result.problems)
       line.warnings.push_back(fmt::format("{}: {}", result.frame->name, problem));
@@ -382,7 +382,7 @@ Status reconstruct_all(Source& source, std::vector<Pipeline>& pipelines,
     video = std::move(*made);
   }
   std::set<std::string> names;
-  LastingContacts contacts(source.is_continuous());
+  FingerContactTracker contacts(source.is_continuous());
   const double count =
       static_cast<double>(std::min(source.count().value_or(0), frames.end) - frames.first);
   BatchWork work;
@@ -404,7 +404,7 @@ Status reconstruct_all(Source& source, std::vector<Pipeline>& pipelines,
     if (options.part)
       progress.parts.push_back(line.to_json());
     else
-      progress.lines += contacts.complete_line(line) + "\n";
+      progress.lines += complete_line(line, contacts) + "\n";
     progress.index = index + 1 - frames.first;
     progress.failed += line.is_measured ? 0 : 1;
     progress.total_ms += line.total_ms;

@@ -280,7 +280,7 @@ Result<ExperimentOutcome> run_min_force(const ExperimentBench& bench) {
   for (const PushedFrame& frame : pushes) {
     if (!frame.contact || frame.contact->along_mm < kBase_mm) continue;
     const bool pushed =
-        frame.markers && push_of(*frame.markers, rested, frame.base_at_low_u).pushed;
+        frame.markers && push_of(*frame.markers, rested, frame.base_at_low_u).direction;
     trials[frame.contact->face][height_of_mm(*frame.contact)].push_back(
         {frame.contact->force_N.value().norm(), pushed || frame.has_region});
   }

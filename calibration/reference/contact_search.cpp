@@ -567,12 +567,12 @@ class Search {
     constexpr std::size_t kFewPart = 10;
     std::vector<std::size_t> unexplained;
     for (std::size_t i = 0; i < count_; ++i) {
-      const FrameContact touch = frames[i].touch;
-      if (darker_[i] && (touch == FrameContact::kClean || touch == FrameContact::kUncompared))
+      const FrameContact contact = frames[i].contact;
+      if (darker_[i] && (contact == FrameContact::kClean || contact == FrameContact::kUncompared))
         unexplained.push_back(i);
     }
     if (kFewPart * unexplained.size() <= count_) return;
-    for (const std::size_t i : unexplained) frames[i].touch = FrameContact::kUnexplained;
+    for (const std::size_t i : unexplained) frames[i].contact = FrameContact::kUnexplained;
   }
 
   [[nodiscard]] std::vector<FrameEvidence> result() const {
@@ -585,11 +585,11 @@ class Search {
       if (seed.patch >= 0)
         frame.along_mm = patches_.s_mm(seed.patch), frame.across_mm = patches_.y_mm(seed.patch);
       frame.motion_sd = motion_sds_[static_cast<Eigen::Index>(i)];
-      frame.touch = in_contact_[i]               ? FrameContact::kContact
-                    : !judged_[i]                ? FrameContact::kUncompared
-                    : is_of_the_pose_[i]         ? FrameContact::kClean
-                    : seed.strength >= kDoubtful ? FrameContact::kDoubtful
-                                                 : FrameContact::kClean;
+      frame.contact = in_contact_[i]               ? FrameContact::kContact
+                      : !judged_[i]                ? FrameContact::kUncompared
+                      : is_of_the_pose_[i]         ? FrameContact::kClean
+                      : seed.strength >= kDoubtful ? FrameContact::kDoubtful
+                                                   : FrameContact::kClean;
     }
     mark_unexplained(frames);
     return frames;
@@ -615,10 +615,10 @@ std::vector<ContactStretch> stretches_of(const std::vector<FrameEvidence>& frame
   std::vector<ContactStretch> stretches;
   for (std::size_t i = 0; i < frames.size(); ++i) {
     const FrameEvidence& frame = frames[i];
-    if (frame.touch == FrameContact::kClean) continue;
+    if (frame.contact == FrameContact::kClean) continue;
     const bool goes_on = !stretches.empty() && stretches.back().last + 1 == i &&
-                         stretches.back().touch == frame.touch;
-    if (!goes_on) stretches.push_back({i, i, frame.touch, i});
+                         stretches.back().contact == frame.contact;
+    if (!goes_on) stretches.push_back({i, i, frame.contact, i});
     ContactStretch& stretch = stretches.back();
     stretch.last = i;
     if (frame.strength > frames[stretch.darkest].strength) stretch.darkest = i;

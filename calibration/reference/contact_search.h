@@ -33,7 +33,7 @@ enum class FrameContact {
 };
 
 struct FrameEvidence {
-  FrameContact touch = FrameContact::kUncompared;
+  FrameContact contact = FrameContact::kUncompared;
   double darker = 0;     ///< of the most suspicious window, 0.1: by 10 %
   double strength = 0;   ///< of that window: from 1 on it alone proves a contact
   double along_mm = 0;   ///< its middle, from the base
@@ -45,7 +45,7 @@ struct FrameEvidence {
 /// Consecutive frames of one kind, except clean ones.
 struct ContactStretch {
   std::size_t first = 0, last = 0;  ///< rows of the patches
-  FrameContact touch = FrameContact::kContact;
+  FrameContact contact = FrameContact::kContact;
   std::size_t darkest = 0;  ///< the row with the strongest evidence
 };
 

@@ -177,7 +177,7 @@ Result<ReadFrames> read_frames(RecordedVideo& video, const NumberedRecording& nu
 }
 
 bool is_suspect(const FrameEvidence& frame) {
-  return frame.touch == FrameContact::kContact || frame.touch == FrameContact::kDoubtful;
+  return frame.contact == FrameContact::kContact || frame.contact == FrameContact::kDoubtful;
 }
 
 /// Frames that are chosen to count as untouched are ignored.
@@ -186,7 +186,7 @@ bool is_mostly_contact(const FrameJudgements& evidence, const std::vector<std::s
   std::size_t contact_frames = 0;
   for (std::size_t i = 0; i < numbers.size(); ++i)
     contact_frames +=
-        evidence[i].touch == FrameContact::kContact && !is_in(choices.keep, numbers[i]);
+        evidence[i].contact == FrameContact::kContact && !is_in(choices.keep, numbers[i]);
   return static_cast<double>(contact_frames) >
          kMaxContactFraction * static_cast<double>(numbers.size());
 }
@@ -194,8 +194,8 @@ bool is_mostly_contact(const FrameJudgements& evidence, const std::vector<std::s
 /// An uncompared frame next to a contact frame in time counts as a contact frame, too.
 void spread_to_uncompared(FrameJudgements& frames) {
   const auto pass_on = [&](std::size_t from, std::size_t to) {
-    if (frames[from].touch == FrameContact::kContact &&
-        frames[to].touch == FrameContact::kUncompared)
+    if (frames[from].contact == FrameContact::kContact &&
+        frames[to].contact == FrameContact::kUncompared)
       frames[to] = frames[from];
   };
   for (std::size_t i = 1; i < frames.size(); ++i) pass_on(i - 1, i);
@@ -228,24 +228,24 @@ Message sentence_of(const ReferenceStretch& stretch) {
 void report_stretches(const FrameJudgements& evidence, const std::vector<std::size_t>& numbers,
                       const ReferenceChoices& choices, ReferenceReport& report) {
   for (const FrameEvidence& frame : evidence) {
-    report.contact_frames += frame.touch == FrameContact::kContact;
-    report.doubtful += frame.touch == FrameContact::kDoubtful;
-    report.uncompared += frame.touch == FrameContact::kUncompared;
+    report.contact_frames += frame.contact == FrameContact::kContact;
+    report.doubtful += frame.contact == FrameContact::kDoubtful;
+    report.uncompared += frame.contact == FrameContact::kUncompared;
   }
   for (const ContactStretch& found : stretches_of(evidence)) {
-    if (found.touch == FrameContact::kUncompared) continue;
+    if (found.contact == FrameContact::kUncompared) continue;
     const FrameEvidence& darkest = evidence[found.darkest];
     ReferenceStretch stretch;
     stretch.first = static_cast<int>(numbers[found.first]);
     stretch.last = static_cast<int>(numbers[found.last]);
-    stretch.is_doubtful = found.touch != FrameContact::kContact;
+    stretch.is_doubtful = found.contact != FrameContact::kContact;
     stretch.is_retained = true;
     stretch.darker = darkest.darker;
     stretch.along_mm = darkest.along_mm;
     stretch.across_mm = darkest.across_mm;
     stretch.darkest = static_cast<int>(numbers[found.darkest]);
-    for (std::size_t i = found.first; i <= found.last && found.touch != FrameContact::kUnexplained;
-         ++i)
+    for (std::size_t i = found.first;
+         i <= found.last && found.contact != FrameContact::kUnexplained; ++i)
       stretch.is_retained = stretch.is_retained && is_in(choices.keep, numbers[i]);
     stretch.sentence = sentence_of(stretch);
     if (!stretch.is_retained) report.rejected.push_back(stretch.sentence);
@@ -274,7 +274,7 @@ void leave_all_in(std::size_t frames, ReferenceReport& report) {
 void warn_of_unexplained(const FrameJudgements& evidence, ReferenceReport& report) {
   const auto unexplained = std::count_if(
       evidence.begin(), evidence.end(),
-      [](const FrameEvidence& frame) { return frame.touch == FrameContact::kUnexplained; });
+      [](const FrameEvidence& frame) { return frame.contact == FrameContact::kUnexplained; });
   if (unexplained == 0) return;
   report.warnings.push_back(
       en::say("In {} of {} frames the face is darker than in the brightest, and so are frames of "

@@ -7,6 +7,7 @@
 #include <cassert>
 #include <condition_variable>
 #include <deque>
+#include <limits>
 #include <map>
 #include <mutex>
 #include <utility>
@@ -102,7 +103,7 @@ class Batch {
         if (!is_sequential) begin_piece(pipeline, piece->before, source_.is_continuous());
         for (BatchFrame& frame : piece->frames) {
           if (!source_.is_continuous()) pipeline.forget();
-          measure(pipeline, frame, is_sequential);
+          measure(pipeline, frame);
           auto line = work_.write(frame, pipeline);
           if (!line) return fail(line.error());
           lines.push_back(std::move(*line));
@@ -115,10 +116,9 @@ class Batch {
     }
   }
 
-  static void measure(Pipeline& pipeline, BatchFrame& frame, bool is_sequential) {
+  static void measure(Pipeline& pipeline, BatchFrame& frame) {
     if (frame.problem || !frame.frame) return;
-    auto result = is_sequential ? pipeline(frame.frame)
-                                : pipeline.measure_untracked(frame.frame, frame.contacts);
+    auto result = pipeline.measure_untracked(frame.frame);
     if (result)
       frame.result = std::move(*result);
     else
@@ -179,43 +179,105 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json seen_json(const ContactState::Observation& seen) {
-  Json entry = Json::object();
-  if (seen.time_s) entry["time_s"] = *seen.time_s;
-  entry["strength"] = seen.strength;
-  if (seen.position_mm) {
-    entry["place_mm"] = {seen.position_mm->x(), seen.position_mm->y()};
-    const Eigen::Matrix2d& c = seen.position_covariance_mm2;
-    entry["covariance_mm2"] = {c(0, 0), c(0, 1), c(1, 0), c(1, 1)};
-  }
-  entry["skin_along_mm"] = seen.skin_along_mm;
+// A number that is not finite is null.
+double number_of(const Json& number) {
+  return number.is_null() ? std::numeric_limits<double>::quiet_NaN() : number.get<double>();
+}
+
+void put(Json& entry, const char* key, const std::optional<double>& number) {
+  if (number) entry[key] = *number;
+}
+
+std::optional<double> number_in(const Json& entry, const char* key) {
+  if (!entry.contains(key)) return std::nullopt;
+  return number_of(entry.at(key));
+}
+
+template <class Matrix>
+Json numbers_json(const Matrix& matrix) {
+  Json numbers = Json::array();
+  for (const double number : matrix.reshaped()) numbers.push_back(number);
+  return numbers;
+}
+
+template <class Matrix>
+Matrix matrix_of(const Json& numbers) {
+  Matrix matrix;
+  for (Eigen::Index i = 0; i < matrix.size(); ++i)
+    matrix.reshaped()[i] = number_of(numbers.at(static_cast<std::size_t>(i)));
+  return matrix;
+}
+
+Json position_json(const PositionOnFinger& position) {
+  Json entry = {{"along_mm", position.along_mm}, {"limits", position.limits}};
+  put(entry, "across_mm", position.across_mm);
+  put(entry, "depth_mm", position.depth_mm);
+  put(entry, "along_sd_mm", position.along_sd_mm);
+  put(entry, "across_sd_mm", position.across_sd_mm);
+  put(entry, "depth_sd_mm", position.depth_sd_mm);
   return entry;
 }
 
-ContactState::Observation seen_of(const Json& entry) {
-  ContactState::Observation seen;
-  if (entry.contains("time_s")) seen.time_s = entry.at("time_s").get<double>();
-  seen.strength = entry.at("strength");
-  if (entry.contains("place_mm")) {
-    const Json &position = entry.at("place_mm"), &c = entry.at("covariance_mm2");
-    seen.position_mm = Eigen::Vector2d(position.at(0), position.at(1));
-    seen.position_covariance_mm2 << c.at(0), c.at(1), c.at(2), c.at(3);
+PositionOnFinger position_of(const Json& entry) {
+  return {number_of(entry.at("along_mm")),       number_in(entry, "across_mm"),
+          number_in(entry, "depth_mm"),          number_in(entry, "along_sd_mm"),
+          number_in(entry, "across_sd_mm"),      number_in(entry, "depth_sd_mm"),
+          entry.at("limits").get<std::uint8_t>()};
+}
+
+Json evidence_json(const ContactEvidence& evidence) {
+  Json entry = {{"push", evidence.push}};
+  put(entry, "time_s", evidence.time_s);
+  put(entry, "depth", evidence.depth);
+  if (evidence.is_face_pressed) entry["is_face_pressed"] = *evidence.is_face_pressed;
+  if (const auto& indentation = evidence.indentation) {
+    Json& part = entry["indentation"];
+    part["position"] = position_json(indentation->position);
+    if (indentation->direction) part["direction"] = numbers_json(*indentation->direction);
+    if (indentation->on_skin_mm) part["on_skin_mm"] = numbers_json(*indentation->on_skin_mm);
+    part["on_skin_covariance_mm2"] = numbers_json(indentation->on_skin_covariance_mm2);
   }
-  seen.skin_along_mm = entry.at("skin_along_mm");
-  return seen;
+  if (const auto& deflection = evidence.deflection) {
+    Json& part = entry["deflection"];
+    part["face"] = static_cast<int>(deflection->face);
+    part["direction"] = numbers_json(deflection->direction);
+    part["direction_sd_deg"] = deflection->direction_sd_deg;
+    if (deflection->position) part["position"] = position_json(*deflection->position);
+  }
+  return entry;
+}
+
+ContactEvidence evidence_of(const Json& entry) {
+  ContactEvidence evidence;
+  evidence.push = number_of(entry.at("push"));
+  evidence.time_s = number_in(entry, "time_s");
+  evidence.depth = number_in(entry, "depth");
+  if (entry.contains("is_face_pressed")) evidence.is_face_pressed = entry.at("is_face_pressed");
+  if (entry.contains("indentation")) {
+    const Json& part = entry.at("indentation");
+    auto& indentation = evidence.indentation.emplace();
+    indentation.position = position_of(part.at("position"));
+    if (part.contains("direction"))
+      indentation.direction = matrix_of<Eigen::Vector3d>(part.at("direction"));
+    if (part.contains("on_skin_mm"))
+      indentation.on_skin_mm = matrix_of<Eigen::Vector2d>(part.at("on_skin_mm"));
+    indentation.on_skin_covariance_mm2 =
+        matrix_of<Eigen::Matrix2d>(part.at("on_skin_covariance_mm2"));
+  }
+  if (entry.contains("deflection")) {
+    const Json& part = entry.at("deflection");
+    auto& deflection = evidence.deflection.emplace();
+    const int face = part.at("face");
+    if (face < 1 || face > 4) throw std::out_of_range("face");
+    deflection.face = static_cast<PushedFace>(face);
+    deflection.direction = matrix_of<Eigen::Vector3d>(part.at("direction"));
+    deflection.direction_sd_deg = number_of(part.at("direction_sd_deg"));
+    if (part.contains("position")) deflection.position = position_of(part.at("position"));
+  }
+  return evidence;
 }
 
 }  // namespace
-
-FrameLine::Contacts contacts_of(const FrameContacts& frame) {
-  FrameLine::Contacts contacts;
-  contacts.seen = frame.seen;
-  for (std::size_t i = 0; i < contacts.texts.size(); ++i) {
-    contacts.texts[i] = contact_text(frame.by_face[i]);
-    contacts.faces[i] = frame.by_face[i].face;
-  }
-  return contacts;
-}
 
 std::string FrameLine::to_json() const {
   Json json;
@@ -223,21 +285,7 @@ std::string FrameLine::to_json() const {
   json["line"] = line;
   json["measured"] = is_measured;
   json["total_ms"] = total_ms;
-  if (contacts) {
-    json["seen"] = seen_json(contacts->seen);
-    // All five are mostly equal; each text is stored once.
-    Json texts = Json::array(), which = Json::array(), faces = Json::array();
-    for (std::size_t i = 0; i < contacts->texts.size(); ++i) {
-      std::size_t same = 0;
-      while (contacts->texts[same] != contacts->texts[i]) ++same;
-      if (same == i) texts.push_back(contacts->texts[i]);
-      which.push_back(same == i ? texts.size() - 1 : which.at(same).get<std::size_t>());
-      faces.push_back(static_cast<int>(contacts->faces[i]));
-    }
-    json["contacts"] = std::move(texts);
-    json["which"] = std::move(which);
-    json["faces"] = std::move(faces);
-  }
+  if (evidence) json["evidence"] = evidence_json(*evidence);
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -249,17 +297,7 @@ Result<FrameLine> FrameLine::from_json(std::string_view text) {
     frame.line = json.at("line");
     frame.is_measured = json.at("measured");
     frame.total_ms = json.at("total_ms");
-    if (!json.contains("seen")) return frame;
-    Contacts contacts;
-    contacts.seen = seen_of(json.at("seen"));
-    for (std::size_t i = 0; i < contacts.texts.size(); ++i) {
-      const Json& part = json.at("contacts").at(json.at("which").at(i).get<std::size_t>());
-      contacts.texts[i] = part.get<std::string>();
-      const int face = json.at("faces").at(i);
-      if (face < 1 || face > 4 || !Json::accept(contacts.texts[i])) throw std::out_of_range("face");
-      contacts.faces[i] = static_cast<PushedFace>(face);
-    }
-    frame.contacts = std::move(contacts);
+    if (json.contains("evidence")) frame.evidence = evidence_of(json.at("evidence"));
     return frame;
   } catch (const std::exception&) {
     return Error{en::say("one of its lines is damaged"), "",
@@ -267,28 +305,9 @@ Result<FrameLine> FrameLine::from_json(std::string_view text) {
   }
 }
 
-std::optional<LastingContacts::Lasting> LastingContacts::operator()(
-    const ContactState::Observation* seen, const std::array<PushedFace, 5>& faces) {
-  if (!is_continuous_) {
-    state_.forget();
-    face_.reset();
-  }
-  if (seen == nullptr) return std::nullopt;
-  const ContactState::Estimate estimate = state_.add(*seen);
-  if (!estimate.has_contact) {
-    face_.reset();
-    return std::nullopt;
-  }
-  const std::size_t before = face_ ? static_cast<std::size_t>(*face_) : 0;
-  face_ = faces[before];
-  return Lasting{before, estimate};
-}
-
-std::string LastingContacts::complete_line(const FrameLine& frame) {
-  const auto& contacts = frame.contacts;
-  const auto lasting = contacts ? (*this)(&contacts->seen, contacts->faces) : (*this)(nullptr, {});
-  return lasting ? with_contact(frame.line, contacts->texts[lasting->which], lasting->estimate)
-                 : frame.line;
+std::string complete_line(const FrameLine& frame, FingerContactTracker& contacts) {
+  const auto contact = contacts(frame.evidence);
+  return contact ? with_contact(frame.line, *contact) : frame.line;
 }
 
 SequentialBatch::SequentialBatch(Pipeline pipeline, bool is_continuous)
@@ -311,25 +330,15 @@ void SequentialBatch::remember(const FramePtr& frame) {
 void SequentialBatch::skip() {
   begin_piece();
   remember(nullptr);
-  static_cast<void>(contacts_(nullptr, {}));
+  static_cast<void>(contacts_(std::nullopt));
 }
 
 Result<FrameResult> SequentialBatch::operator()(const FramePtr& frame) {
   begin_piece();
   if (!is_continuous_) pipeline_.forget();
   remember(frame);
-  if (is_sequential_) return pipeline_(frame);
-  std::optional<FrameContacts> contacts;
-  auto result = pipeline_.measure_untracked(frame, contacts);
-  std::array<PushedFace, 5> faces{};
-  if (contacts)
-    for (std::size_t i = 0; i < faces.size(); ++i) faces[i] = contacts->by_face[i].face;
-  const auto lasting = contacts_(contacts ? &contacts->seen : nullptr, faces);
-  if (!result || !lasting) return result;
-  FingerContact& contact = result->contact.emplace(contacts->by_face[lasting->which]);
-  contact.is_new = lasting->estimate.is_new;
-  contact.held_s = lasting->estimate.held_s;
-  contact.is_slipping = lasting->estimate.is_slipping;
+  auto result = pipeline_.measure_untracked(frame);
+  if (result) result->contact = contacts_(result->evidence);
   return result;
 }
 

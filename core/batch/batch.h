@@ -4,7 +4,7 @@
 // Each piece is measured independently, after its pipeline has located the markers in the
 // kWarmUpFrames before it. No other state of earlier frames is required: the markers are tracked
 // from frame to frame, and a frozen camera shows as two equal images. Contacts, which last longer,
-// are determined afterwards, in the frames' order.
+// are tracked afterwards, in the frames' order (FingerContactTracker).
 #pragma once
 
 #include "core/base/job.h"
@@ -13,7 +13,6 @@
 #include "core/sensing/pipeline.h"
 #include "core/sources/source.h"
 
-#include <array>
 #include <cstddef>
 #include <deque>
 #include <functional>
@@ -25,11 +24,8 @@
 
 namespace alltact {
 
-// Determines the contacts that last over the frames of a recording, after its frames were measured
-// independently.
-
 /// Result of one frame by itself: its line of results.jsonl without a contact, and the evidence of
-/// contacts.
+/// one.
 struct FrameLine {
   std::string frame;  ///< its name
   std::string line;
@@ -37,12 +33,7 @@ struct FrameLine {
   double total_ms = 0;                ///< time to measure it
   std::vector<std::string> warnings;  ///< for progress messages; not stored
   std::string depth_packet;           ///< of the run's depth video (depth_video.h); not stored
-  struct Contacts {
-    ContactState::Observation seen;
-    std::array<std::string, 5> texts;  ///< contact_text() of FrameContacts::by_face
-    std::array<PushedFace, 5> faces{};
-  };
-  std::optional<Contacts> contacts;  ///< empty: the frame shows no evidence
+  std::optional<ContactEvidence> evidence;
 
   /// One line of a part's file; from_json() restores it to the bit.
   [[nodiscard]] std::string to_json() const;
@@ -50,40 +41,18 @@ struct FrameLine {
   [[nodiscard]] static Result<FrameLine> from_json(std::string_view text);
 };
 
-[[nodiscard]] FrameLine::Contacts contacts_of(const FrameContacts& frame);
-
-/// Takes frames in order and determines which contact lasts.
-class LastingContacts {
- public:
-  /// False: the frames of this recording are not consecutive.
-  explicit LastingContacts(bool is_continuous) : is_continuous_(is_continuous) {}
-
-  struct Lasting {
-    std::size_t which = 0;  ///< index into FrameContacts::by_face
-    ContactState::Estimate estimate;
-  };
-  /// nullopt: there is no contact. `seen`: null where the frame has no evidence of contacts.
-  ///   faces: of FrameContacts::by_face
-  [[nodiscard]] std::optional<Lasting> operator()(const ContactState::Observation* seen,
-                                                  const std::array<PushedFace, 5>& faces);
-  /// The same for a frame's line; returns it completed by the contact, if there is one.
-  [[nodiscard]] std::string complete_line(const FrameLine& frame);
-
- private:
-  bool is_continuous_;
-  ContactState state_;
-  std::optional<PushedFace> face_;
-};
+/// The frame's line of results.jsonl, with its contact if it has one. Call in the frames' order.
+///   contacts: of the frames before
+[[nodiscard]] std::string complete_line(const FrameLine& frame, FingerContactTracker& contacts);
 
 inline constexpr std::size_t kPieceFrames = 32, kWarmUpFrames = 8;
 
 /// A frame of the batch.
 struct BatchFrame {
-  std::size_t index = 0;         ///< in the recording
-  FramePtr frame;                ///< null: it could not be read,
-  std::optional<Error> problem;  ///< for this reason; or it cannot be measured
-  std::optional<FrameResult> result;
-  std::optional<FrameContacts> contacts;
+  std::size_t index = 0;              ///< in the recording
+  FramePtr frame;                     ///< null: it could not be read,
+  std::optional<Error> problem;       ///< for this reason; or it cannot be measured
+  std::optional<FrameResult> result;  ///< without `contact`
 };
 
 struct BatchFrames {
@@ -132,7 +101,7 @@ class SequentialBatch {
 
   Pipeline pipeline_;
   bool is_continuous_, is_sequential_;
-  LastingContacts contacts_;
+  FingerContactTracker contacts_;
   std::size_t index_ = 0;
   std::deque<FramePtr> before_;  // null: could not be read
 };

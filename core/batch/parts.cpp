@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kFormat = "alltact-part/1";
+constexpr const char* kFormat = "alltact-part/2";
 constexpr int kMaxParts = 10000;
 
 Error damaged(const fs::path& file) {
@@ -137,7 +137,7 @@ Status check_complete(const std::map<int, PartResults>& parts, const fs::path& f
 /// The content of results.jsonl. Counts its frames in `merged`.
 Result<std::string> merge_lines(const std::map<int, PartResults>& parts, MergedParts& merged) {
   std::string content;
-  LastingContacts contacts(parts.begin()->second.is_continuous);
+  FingerContactTracker contacts(parts.begin()->second.is_continuous);
   std::set<std::string> names;
   for (const auto& [number, part] : parts) {
     for (const std::string& text : part.lines) {
@@ -146,7 +146,7 @@ Result<std::string> merge_lines(const std::map<int, PartResults>& parts, MergedP
       if (!names.insert(line->frame).second)
         return Error{en::say("another image is called '{}' as well", line->frame),
                      part.file.string(), en::say("giving the images different names")};
-      content += contacts.complete_line(*line) + "\n";
+      content += complete_line(*line, contacts) + "\n";
       ++merged.frames;
       merged.failed += line->is_measured ? 0 : 1;
     }

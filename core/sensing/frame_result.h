@@ -50,15 +50,20 @@ struct FrameResult {
   std::optional<DepthMap> depth;         ///< of a finger with a mapping
   std::optional<Push> push;
   std::vector<ContactRegion> regions;
-  /// During contact of a finger with a reference: estimated from push and regions together.
-  /// finger_contact.h defines its begin and end.
+  /// Empty where the frame could not be compared with its reference, and without a face.
+  std::optional<ContactEvidence> evidence;
+  /// Of this frame's evidence and of the frames before (FingerContactTracker); only of a finger
+  /// with a reference.
   std::optional<FingerContact> contact;
   std::optional<Force> force;  ///< of a finger with a force model
-  /// Relative to the reference; without one, relative to earlier frames (finger_contact.h).
-  FaceContact touch = FaceContact::kUnknown;
   StepTimes times_ms;
   std::vector<Message> problems;
 };
+
+/// Whether something presses into the contact face (ContactEvidence); empty also without evidence.
+[[nodiscard]] inline std::optional<bool> is_face_pressed(const FrameResult& result) {
+  return result.evidence ? result.evidence->is_face_pressed : std::nullopt;
+}
 
 /// 3D points of the contact face, CV_32FC3 (x, y, z in mm, camera frame), NaN without depth: p_CF =
 /// p_LUF - (0, 0, d).

@@ -150,7 +150,6 @@ void PaperMethod::find_depth(FrameResult& result) const {
     return;
   }
   result.difference = difference(result.grey, *result.reference, *result.shape, options);
-  result.touch = face_contact(*result.difference);
   result.problems.push_back(
       en::say("the finger is not calibrated: calibrate it with ball presses"));
 }
@@ -162,7 +161,6 @@ void PaperMethod::find_regions(FrameResult& result) const {
   options.untouched = [&](int u, int v) { return error.untouched(u, v); };
   options.pressed = [&](int u, int v, double mm) { return error.of_depth(u, v, mm); };
   result.regions = contact_regions(*result.depth, *result.shape, finger_.face, options);
-  result.touch = face_contact(result.regions);
 }
 
 namespace {

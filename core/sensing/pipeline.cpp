@@ -81,12 +81,7 @@ class MeasuringSteps : public MeasuringMethod {
   void add_library(ReferenceLibrary library, const FingerSnapshot& full_size);
   [[nodiscard]] const std::optional<Error>& marker_problem() const { return marker_problem_; }
 
-  Result<FrameResult> measure(const FramePtr& frame) override { return measure(frame, nullptr); }
-  Result<FrameResult> measure_untracked(const FramePtr& frame,
-                                        std::optional<FrameContacts>& contacts) override {
-    contacts.reset();
-    return measure(frame, &contacts);
-  }
+  Result<FrameResult> measure(const FramePtr& frame) override;
   void warm_up(const FramePtr& frame) override;
   bool has_long_memory() const override {
     return settings_.average_frames > 1 || (force_ && force_->has_creep());
@@ -97,7 +92,6 @@ class MeasuringSteps : public MeasuringMethod {
   const Camera& camera() const override { return *camera_; }
 
  private:
-  Result<FrameResult> measure(const FramePtr& frame, std::optional<FrameContacts>* contacts);
   // The steps in their order.
   [[nodiscard]] Result<cv::Mat> oriented(const Frame& frame) const;
   void check_frame(FrameResult& result);
@@ -107,9 +101,9 @@ class MeasuringSteps : public MeasuringMethod {
   void find_markers_by_shape(FrameResult& result) const;
   void find_reference(FrameResult& result, StopWatch& watch);
   void find_depth(FrameResult& result, StopWatch& watch) const;
-  void find_contact(FrameResult& result, StopWatch& watch) const;
+  void find_regions(FrameResult& result, StopWatch& watch) const;
   [[nodiscard]] Eigen::MatrixXd markers_covariance(const FrameResult& result) const;
-  void track_contact(FrameResult& result, std::optional<FrameContacts>* contacts, StopWatch& watch);
+  void find_evidence(FrameResult& result, StopWatch& watch) const;
   void find_force(FrameResult& result, StopWatch& watch);
 
   PipelineSettings settings_;
@@ -132,7 +126,6 @@ class MeasuringSteps : public MeasuringMethod {
   FramePtr last_;                          // of a continuous source
   // Covariance of the markers' displacements, in a frame with a push
   Eigen::MatrixXd displacement_cov_px2_;
-  FingerContactTracker contact_tracker_;
 };
 
 void MeasuringSteps::warm_up(const FramePtr& frame) {
@@ -146,8 +139,7 @@ void MeasuringSteps::warm_up(const FramePtr& frame) {
   if (result.shape) static_cast<void>(find_markers(result));
 }
 
-Result<FrameResult> MeasuringSteps::measure(const FramePtr& frame,
-                                            std::optional<FrameContacts>* contacts) {
+Result<FrameResult> MeasuringSteps::measure(const FramePtr& frame) {
   StopWatch watch;
   FrameResult result;
   result.frame = frame;
@@ -162,8 +154,8 @@ Result<FrameResult> MeasuringSteps::measure(const FramePtr& frame,
   if (result.shape && !library_) find_without_reference(result, watch);
   if (result.shape && library_) find_reference(result, watch);
   if (result.reference) find_depth(result, watch);
-  if (result.depth) find_contact(result, watch);
-  if (result.reference) track_contact(result, contacts, watch);
+  if (result.depth) find_regions(result, watch);
+  if (result.reference) find_evidence(result, watch);
   if (result.markers && library_) find_force(result, watch);
   watch.total(result.times_ms.total);
   return result;
@@ -211,7 +203,8 @@ void MeasuringSteps::find_without_reference(FrameResult& result, StopWatch& watc
   result.markers = (*rows_)(result.grey, *result.shape, result.dots);
   watch.lap(result.times_ms.markers);
   const bool is_pressed = contact_(result.grey, *result.shape).has_value();
-  if (contact_.is_ready()) result.touch = is_pressed ? FaceContact::kInContact : FaceContact::kFree;
+  result.evidence.emplace();
+  if (contact_.is_ready()) result.evidence->is_face_pressed = is_pressed;
   watch.lap(result.times_ms.contact);
 }
 
@@ -286,14 +279,13 @@ void MeasuringSteps::find_depth(FrameResult& result, StopWatch& watch) const {
       result.problems.push_back(std::move(fault));
   } else {
     result.difference = difference(result.grey, *result.reference, *result.shape, options);
-    result.touch = face_contact(*result.difference);
     result.problems.push_back(
         en::say("the finger is not calibrated: calibrate it with ball presses"));
   }
   watch.lap(result.times_ms.local);
 }
 
-void MeasuringSteps::find_contact(FrameResult& result, StopWatch& watch) const {
+void MeasuringSteps::find_regions(FrameResult& result, StopWatch& watch) const {
   RegionOptions options;
   options.threshold_mm = settings_.contact_threshold_mm;
   options.correlated_px2 = std::pow(smoothing_of(settings_.smoothing_px).noise_factor(), -2);
@@ -306,7 +298,6 @@ void MeasuringSteps::find_contact(FrameResult& result, StopWatch& watch) const {
   options.untouched = [&](int u, int v) { return error.untouched(u, v); };
   options.pressed = [&](int u, int v, double mm) { return error.of_depth(u, v, mm); };
   result.regions = contact_regions(*result.depth, *result.shape, finger_->face, options);
-  result.touch = face_contact(result.regions);
   watch.lap(result.times_ms.contact);
 }
 
@@ -318,22 +309,17 @@ Eigen::MatrixXd MeasuringSteps::markers_covariance(const FrameResult& result) co
       seen, model && !are_all_seen(seen) ? model->covariance_px2(seen) : std::nullopt);
 }
 
-void MeasuringSteps::track_contact(FrameResult& result, std::optional<FrameContacts>* contacts,
-                                   StopWatch& watch) {
-  FingerContactTracker::FrameInput signs;
-  if (result.frame->time_ns != 0) signs.time_s = 1e-9 * static_cast<double>(result.frame->time_ns);
-  signs.shape = &*result.shape;
-  if (result.markers) signs.markers = &*result.markers;
-  if (result.depth) signs.regions = &result.regions;
-  if (result.push) {
-    signs.push = &*result.push;
-    signs.settings = &*finger_->contact;
-    signs.displacement_cov_px2 = &displacement_cov_px2_;
-  }
-  if (contacts != nullptr)
-    *contacts = FingerContactTracker::single_frame(signs);
-  else
-    result.contact = contact_tracker_(signs);
+void MeasuringSteps::find_evidence(FrameResult& result, StopWatch& watch) const {
+  ContactEvidence& evidence = result.evidence.emplace();
+  if (result.frame->time_ns != 0)
+    evidence.time_s = 1e-9 * static_cast<double>(result.frame->time_ns);
+  if (result.depth)
+    evidence.add_regions(result.regions, *result.shape,
+                         result.markers ? &*result.markers : nullptr);
+  if (result.difference) evidence.is_face_pressed = is_face_dark(*result.difference);
+  if (result.push)
+    evidence.add_push(*result.push, *finger_->contact, *result.markers, *result.shape,
+                      displacement_cov_px2_);
   double milliseconds = 0;
   watch.lap(milliseconds);
   result.times_ms.contact += milliseconds;
@@ -394,7 +380,6 @@ void MeasuringSteps::forget() {
   if (rows_) rows_->forget();
   if (force_) force_->forget();
   contact_.forget();
-  contact_tracker_.forget();
   last_.reset();
   mean_.forget();
 }

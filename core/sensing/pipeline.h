@@ -44,14 +44,9 @@ class MeasuringMethod {
  public:
   virtual ~MeasuringMethod() = default;
 
-  /// Error: the frame's size is not the finger's. Any other failure is a problem in the result.
+  /// All but `contact`. Error: the frame's size is not the finger's. Any other failure is a problem
+  /// in the result.
   [[nodiscard]] virtual Result<FrameResult> measure(const FramePtr& frame) = 0;
-  /// As Pipeline::measure_untracked().
-  [[nodiscard]] virtual Result<FrameResult> measure_untracked(
-      const FramePtr& frame, std::optional<FrameContacts>& contacts) {
-    contacts.reset();
-    return measure(frame);
-  }
   virtual void warm_up(const FramePtr& /*frame*/) {}
   [[nodiscard]] virtual bool has_long_memory() const { return true; }
   virtual void forget() = 0;
@@ -64,7 +59,7 @@ class MeasuringMethod {
 /// Turns frames into results. Built once from what is known of a finger, which decides how far each
 /// result reaches:
 ///   nothing known                    edges
-///   a finger                         and shape, markers or dots, touch; of a flat sensor edges
+///   a finger                         and shape, markers or dots, evidence; flat sensor: edges
 ///   and its reference recording      all but depth and regions
 ///   and its mapping                  all
 /// A force is estimated where the finger also has a force model that was trained with the markers
@@ -102,14 +97,15 @@ class Pipeline {
 
   /// Error: the frame's size is not the finger's. Any other failure is a problem in the result.
   [[nodiscard]] Result<FrameResult> operator()(const FramePtr& frame) {
-    return method_->measure(frame);
+    auto result = method_->measure(frame);
+    if (result) result->contact = contacts_(result->evidence);
+    return result;
   }
 
-  /// Measures a frame without tracking: `contact` stays empty. `contacts` receives the input of the
-  /// tracker for when the frames before are known (batch.h); nullopt where there is none.
-  [[nodiscard]] Result<FrameResult> measure_untracked(const FramePtr& frame,
-                                                      std::optional<FrameContacts>& contacts) {
-    return method_->measure_untracked(frame, contacts);
+  /// Leaves `contact` empty, for a tracker that takes `evidence` once the frames before are known
+  /// (batch.h).
+  [[nodiscard]] Result<FrameResult> measure_untracked(const FramePtr& frame) {
+    return method_->measure(frame);
   }
 
   /// Updates only the state that the next frame needs: the marker positions and the last frame.
@@ -120,7 +116,10 @@ class Pipeline {
   [[nodiscard]] bool has_long_memory() const { return method_->has_long_memory(); }
 
   /// Call before a frame that does not follow the last one in time.
-  void forget() { method_->forget(); }
+  void forget() {
+    method_->forget();
+    contacts_.forget();
+  }
 
   [[nodiscard]] bool has_reference() const { return method_->has_reference(); }
   /// As it appears in the measured images (finger_store.h). An unknown finger has neither
@@ -133,6 +132,7 @@ class Pipeline {
  private:
   std::unique_ptr<MeasuringMethod> method_;
   PipelineSettings settings_;
+  FingerContactTracker contacts_;
 };
 
 }  // namespace alltact

@@ -66,20 +66,12 @@ Json reference_json(const Reference& reference, bool searched, ReferenceMethod m
 
 Json push_json(const Push& push) {
   Json entry = Json::object();
-  entry["touched"] = push.pushed;
+  entry["touched"] = push.direction.has_value();
   put_vector(entry, "offset_px", push.offset_px, 3);
   if (push.direction) put_vector(entry, "direction", *push.direction, 5);
   put(entry, "sd_deg", push.sd_deg, 2);
   if (push.face) entry["face"] = to_string(*push.face);
   return entry;
-}
-
-/// Fields that the tracker estimates over several frames.
-template <class Contact>
-void put_tracked(Json& entry, const Contact& contact) {
-  entry["new"] = contact.is_new;
-  put(entry, "held_s", contact.held_s, 3);
-  if (contact.is_slipping) entry["slipping"] = *contact.is_slipping;
 }
 
 Json contact_json(const FingerContact& contact) {
@@ -97,6 +89,9 @@ Json contact_json(const FingerContact& contact) {
     if (position->limits != kNoLimit) entry["limits"] = limit_names(position->limits);
   }
   if (!contact.no_position.empty()) entry["no_place"] = contact.no_position.english();
+  entry["new"] = contact.is_new;
+  put(entry, "held_s", contact.held_s, 3);
+  if (contact.is_slipping) entry["slipping"] = *contact.is_slipping;
   return entry;
 }
 
@@ -216,11 +211,7 @@ std::string result_line(const FrameResult& result, std::size_t index, ReferenceM
   if (result.reference)
     line["reference"] = reference_json(*result.reference, result.markers.has_value(), method);
   if (result.push) line["contact"] = push_json(*result.push);
-  if (result.contact) {
-    Json entry = contact_json(*result.contact);
-    put_tracked(entry, *result.contact);
-    line["finger_contact"] = std::move(entry);
-  }
+  if (result.contact) line["finger_contact"] = contact_json(*result.contact);
   if (result.depth && !result.depth->flags.empty())
     line["validity"] = validity_json(result.depth->flags);
   if (result.depth) line["regions"] = regions_json(result.regions);
@@ -246,20 +237,15 @@ std::string frame_name(const Error& error, std::size_t index) {
 
 Message as_sentence(const Error& error) { return en::say("{}.", error.message()); }
 
-std::string contact_text(const FingerContact& contact) {
-  return contact_json(contact).dump(-1, ' ', false, Json::error_handler_t::replace);
-}
-
-std::string with_contact(const std::string& line, const std::string& contact,
-                         const ContactState::Estimate& tracked) {
-  Json entry = Json::parse(contact);
-  put_tracked(entry, tracked);
+std::string with_contact(const std::string& line, const FingerContact& contact) {
   // Inserts before the first of the keys that result_line() writes after it.
   std::size_t at = std::string::npos;
   for (const char* key : {",\"validity\":", ",\"regions\":", ",\"force\":", ",\"times_ms\":"})
     if (at = line.find(key); at != std::string::npos) break;
   assert(at != std::string::npos);
-  return line.substr(0, at) + ",\"finger_contact\":" + entry.dump() + line.substr(at);
+  return line.substr(0, at) + ",\"finger_contact\":" +
+         contact_json(contact).dump(-1, ' ', false, Json::error_handler_t::replace) +
+         line.substr(at);
 }
 
 }  // namespace alltact

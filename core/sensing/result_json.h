@@ -26,13 +26,8 @@ namespace alltact {
 /// The form in which an error is listed among the problems of a line.
 [[nodiscard]] Message as_sentence(const Error& error);
 
-/// A contact as it stands in a line, without the fields of the tracker (is_new and after).
-[[nodiscard]] std::string contact_text(const FingerContact& contact);
-
-/// Inserts a contact into the line of a frame that was measured on its own
-/// (Pipeline::measure_untracked).
-///   contact: contact_text()
-[[nodiscard]] std::string with_contact(const std::string& line, const std::string& contact,
-                                       const ContactState::Estimate& tracked);
+/// Inserts a contact into the line of a frame that was measured without tracking
+/// (Pipeline::measure_untracked). Equals to the byte result_line() of the result with the contact.
+[[nodiscard]] std::string with_contact(const std::string& line, const FingerContact& contact);
 
 }  // namespace alltact

@@ -48,7 +48,7 @@ double disc_radius_mm(const cv::Mat& x, const FaceShape& shape, const DarkPatch&
 
 std::optional<DarkPatch> dark_patch(const FrameResult& result) {
   const bool is_measured = result.shape && (result.depth || result.difference);
-  if (!is_measured || result.touch != FaceContact::kInContact) return std::nullopt;
+  if (!is_measured || is_face_pressed(result) != true) return std::nullopt;
   const cv::Mat& x = result.depth ? result.depth->depth_mm : result.difference->x;
   // The mean of the largest values, because a single pixel is noise.
   std::vector<float> values;

@@ -348,7 +348,7 @@ TEST(TouchLaws, ATurnedOffsetIsATurnedDirectionAndUnitsDoNotMatter) {
       scaled_markers.push_back({k * now.x(), k * now.y(), true, k * sd});
     }
     const Push one = push_of(markers, settings, true);
-    RC_PRE(one.pushed && one.offset_px.norm() > 1.0);
+    RC_PRE(one.direction && one.offset_px.norm() > 1.0);
     const Push turned = push_of(turned_markers, turned_settings, true);
     const Push scaled = push_of(scaled_markers, scaled_settings, true);
     RC_ASSERT(turned.direction && scaled.direction);

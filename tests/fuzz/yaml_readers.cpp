@@ -172,10 +172,16 @@ std::vector<std::string> frame_line_seeds() {
   line.line = result_seeds().front();
   line.is_measured = true;
   line.total_ms = 2.5;
-  line.contacts = FrameLine::Contacts();
-  line.contacts->texts.fill("{\"face\": \"contact\"}");
-  line.contacts->faces.fill(PushedFace::kContact);
-  return {line.to_json()};
+  ContactEvidence& evidence = line.evidence.emplace();
+  const std::string without = line.to_json();
+  evidence.time_s = 12.5, evidence.depth = 2.5, evidence.push = 1.5,
+  evidence.is_face_pressed = true;
+  auto& indentation = evidence.indentation.emplace();
+  indentation.position = {52.3, -1.5, 0.4, 0.05, 0.06, 0.01, kLayerLimit};
+  indentation.direction = Eigen::Vector3d::UnitZ();
+  indentation.on_skin_mm = {12, -1.5};
+  evidence.deflection = {PushedFace::kBack, -Eigen::Vector3d::UnitZ(), 0.5, PositionOnFinger()};
+  return {without, line.to_json()};
 }
 
 Reading read_study(const std::string& bytes) {

@@ -283,9 +283,9 @@ HardRow no_direction() {
       offset += push;
     }
     const Push found = push_of(markers, settings, true);
-    const HardAnswer own =
-        found.direction ? HardAnswer{{found.direction->x(), found.direction->y()}}
-                        : refused(found.pushed ? HardRefusal::kOther : HardRefusal::kNoContact);
+    const HardAnswer own = found.direction
+                               ? HardAnswer{{found.direction->x(), found.direction->y()}}
+                               : refused(HardRefusal::kNoContact);
     const Eigen::Vector2d naive = offset / offset.norm();
     row.ask(step == 24 ? expected_refusal(HardRefusal::kNoContact)
                        : HardQuestion{{push.x(), push.y()}, {}, 1e-9},

@@ -93,12 +93,8 @@ TEST(Live, EveryOverlayChangesWhatIsPainted) {
   ASSERT_TRUE(wait_for_depth(studio));
   LiveView view = *studio.session().view();
   // The ball does not move this finger; another force would.
-  view.result.push = Push{true,
-                          {20, 0},
-                          Eigen::Matrix2d::Identity(),
-                          Eigen::Vector3d(1, 0, 0),
-                          1.0,
-                          PushedFace::kContact};
+  view.result.push = Push{
+      {20, 0}, Eigen::Matrix2d::Identity(), Eigen::Vector3d(1, 0, 0), 1.0, PushedFace::kContact};
   const auto painted = [&](const ViewOptions& options) {
     ImageView image;
     image.resize(960, 540);

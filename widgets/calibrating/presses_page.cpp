@@ -725,12 +725,11 @@ void PressesPage::watch_contact() {
 
 QString PressesPage::auto_take_obstacle() const {
   if (!automatic_->isChecked() || !take_obstacle().isEmpty()) return {};
-  const FaceContact touch = session_.view()->result.touch;
   switch (still_.hold().state) {
     case HoldState::kNothing:
-      return touch == FaceContact::kUnknown
-                 ? tr("Waiting: it is unknown whether something touches the face.")
-                 : tr("Waiting: no contact yet.");
+      return is_face_pressed(session_.view()->result)
+                 ? tr("Waiting: no contact yet.")
+                 : tr("Waiting: it is unknown whether something touches the face.");
     case HoldState::kMoves:
       return tr("Waiting: the contact still moves or gets deeper.");
     case HoldState::kTaken:

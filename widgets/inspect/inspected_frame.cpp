@@ -20,7 +20,7 @@ FrameSummary summary_of(const MeasuredFrame& frame) {
     }
   }
   if (result.force) summary.force_N = result.force->force_N.norm();
-  summary.has_contact = result.contact.has_value() || !result.regions.empty();
+  summary.has_contact = result.contact.has_value();
   if (!result.problems.empty()) summary.problem = result.problems.front();
   return summary;
 }

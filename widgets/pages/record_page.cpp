@@ -230,15 +230,15 @@ void RecordPage::analyse_frame() {
   if (!isVisible()) return;
   const FrameResult& result = session_.view()->result;
   const bool bends_quickly = bending_.is_quick(result);
-  touch_ = result.touch;
+  is_face_pressed_ = is_face_pressed(result);
   // Motion blur, and poses between those of the reference, resemble a contact.
-  is_in_contact_ = touch_ == FaceContact::kInContact && !bends_quickly;
+  is_in_contact_ = is_face_pressed_ == true && !bends_quickly;
   // The reference leaves out frames with contact, so they cover no pose.
   if (result.markers && result.shape && !is_in_contact_)
     coverage_.add(*result.markers, *result.shape);
   else
     coverage_.clear_pose();
-  unknown_frames_ = touch_ == FaceContact::kUnknown ? unknown_frames_ + 1 : 0;
+  unknown_frames_ = !is_face_pressed_ ? unknown_frames_ + 1 : 0;
   const bool is_recording = session_.status().recording.state == RecordingState::kRunning;
   if (is_recording && is_in_contact_) ++contact_frames_;
   if (!is_recording) rig_.add(result, monotonic_s());
@@ -815,7 +815,7 @@ void RecordPage::add_contact_notes(const LiveStatus& status, std::vector<Problem
                         tr("It is unknown whether something touches the contact face."),
                         tr("Open the finger that belongs to this source, and keep both edges of "
                            "its face in the image.")});
-  else if (!status.finger.has_reference && touch_ != FaceContact::kUnknown)
+  else if (!status.finger.has_reference && is_face_pressed_)
     problems.push_back({Meaning::kDoubtful,
                         tr("Without a reference, contact is detected from the preceding frames."),
                         tr("Begin with nothing on the contact face.")});

@@ -112,8 +112,8 @@ class RecordPage : public Page {
   std::vector<std::filesystem::path> shown_source_;
   bool was_recording_ = false;
   std::uint64_t contact_frames_ = 0;
-  FaceContact touch_ = FaceContact::kUnknown;
-  bool is_in_contact_ = false;  // in the last frame, and not during quick bending
+  std::optional<bool> is_face_pressed_;  // of the newest frame; empty: unknown
+  bool is_in_contact_ = false;           // in the last frame, and not during quick bending
   QuickBending bending_;
   int unknown_frames_ = 0;  // consecutive
   RigCheck rig_;

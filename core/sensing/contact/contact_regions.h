@@ -1,39 +1,5 @@
-// Contacts: connected regions of the depth map, in millimetres.
-//
-// NOTIONS OF CONTACT
-// Several parts of the program detect contact, from different data and for different purposes:
-//
-//   name (file)                         evidence and threshold; purpose
-//   ContactRegion (here)                depth: cells of 4 px deeper on average than 0.1 mm (setting
-//                                       contact_threshold_mm) and 4 sd of contact-free skin;
-//                                       results
-//   Push (push.h)                       sum of the markers' displacements from rest: more than the
-//                                       finger's ContactSettings::threshold_px, which installing a
-//                                       reference sets to 5 sd (reference_recording.cpp); whether
-//                                       the finger is pushed from any side; results
-//   FingerContact                       Push and ContactRegion together, the latter from 0.15 mm;
-//   (finger_contact.h)                  lasts until both are below 0.6 of that; results
-//   indented cells (depth_map.cpp)      depth: cells deeper than 0.02 to 0.1 mm, by the quietest
-//                                       quarter of the face; where depth is looked up along z
-//   contact-free skin (light_gain.h)    brightness over the reference's: within 4 sd of a smooth
-//                                       change; the light's change, noise
-//   ReferenceFreeContact                brightness of a patch against its surroundings and the
-//   (finger_contact.h)                  frames before: 5 % darker and 6 sd; before there is a
-//                                       reference
-//   search of contact frames            brightness of a patch against the rest of the recording:
-//   (contact_search.h)                  1 % darker over 3 mm, 0.5 % over 9 mm, and 9 sd; frames
-//                                       excluded from a reference
-//   BallGuess (press.h)                 brightness: a disc 1.2 % darker and 5 times the scatter, to
-//                                       40 % of its darkest; initial position of a press's ball
-//   certain zone (contact_model.h)      geometry: within 0.65 of the rim of the ball's cap; where
-//                                       skin and ball touch on any material, for calibration
-//   punched area (step_press.cpp)       brightness: 15 % of the greatest difference and 6 sd; the
-//                                       area under a punch with a step
-//   FaceContact (finger_contact.h)      a ContactRegion deeper than 0.15 mm; without a mapping
-//                                       0.1 % of the face darker by 12 %; without a reference a
-//                                       ReferenceFreeContact; the Studio's state of the live finger
-//
-// Elsewhere "untouched" means the skin as the reference shows it, whatever presses now.
+// Contacts: connected regions of the depth map, in millimetres. Other notions of contact: see
+// finger_contact.h.
 #pragma once
 
 #include "core/sensing/depth/depth_map.h"

@@ -1,4 +1,30 @@
 // Contact of the finger: which face, in which direction it is pushed, and at which position.
+//
+// NOTIONS OF CONTACT
+// The program has four. Each follows from those above it or from images, with these thresholds:
+//
+//   name (file)          evidence, threshold and unit; purpose
+//   ContactRegion        depth: cells of 4 x 4 px deeper on average than 0.1 mm (setting
+//   (contact_regions.h)  contact_threshold_mm) and 4 sd of contact-free skin; where and how deep
+//   ContactEvidence      what one frame shows by itself; strength 1 is the threshold:
+//   (here)               - depth: the deepest region, 0.15 mm (kContactDepth_mm)
+//                        - push: sum of the markers' displacements from rest, px:
+//                          ContactSettings::threshold_px, which installing a reference sets to 5 sd
+//                          (reference_recording.cpp)
+//                        - is_face_pressed: the same depth; without a mapping 0.1 % of the face
+//                          darker than its reference by 12 %; without a reference a patch of 2 mm
+//                          darker than in earlier frames by 5 % and 6 sd
+//   FingerContact        evidence of the frames in their order: begins at strength 1 for 15 ms,
+//   (here)               ends below 0.6 for 50 ms; results, live and of recordings
+//   FrameContact         brightness of a patch against the rest of a recording: 1 % darker over
+//   (contact_search.h)   3 mm, 0.7 % over 5 mm, 0.5 % over 9 mm, and 9 sd; frames that a reference
+//                        excludes
+//
+// Robust fits exclude pressed skin as outliers without detecting a contact (light_gain.h,
+// depth_map.cpp). Calibration knows that a ball or punch presses, and finds its outline (press.h,
+// contact_model.h, step_press.cpp).
+//
+// Elsewhere "untouched" means the skin as the reference shows it, whatever presses now.
 #pragma once
 
 #include "core/base/message.h"
@@ -8,7 +34,7 @@
 #include "core/sensing/depth/depth_map.h"
 #include "core/sensing/face/face_shape.h"
 
-#include <array>
+#include <algorithm>
 #include <deque>
 #include <optional>
 #include <vector>
@@ -49,140 +75,99 @@ struct FingerContact {
   std::optional<bool> is_slipping;
 };
 
-/// Evidence of a contact in one frame.
-struct ContactEvidence {
-  const Push* push = nullptr;  ///< null: no marker shows one
-  double push_threshold_px = 0;
-  std::optional<TipDisplacement> displacement;
-  std::optional<AlongFinger> along_back;                ///< of a push on the back
-  const std::vector<ContactRegion>* regions = nullptr;  ///< null: there is no depth
-  /// The larger of push_strength() and depth_strength(). 1 is the threshold: that of a push
-  /// (push.h), or the depth of the contact.
-  [[nodiscard]] double strength() const;
-  [[nodiscard]] double push_strength() const;
-  [[nodiscard]] double depth_strength() const;
-};
-
-/// Covariance of a region's position on the face, along it and across it. nullopt: the region has
-/// none.
-[[nodiscard]] std::optional<Eigen::Matrix2d> position_covariance_on_face_mm2(
-    const ContactRegion& region, const FaceShape& shape);
-
-/// The face from which the finger was deflected.
-[[nodiscard]] PushedFace face_of_motion(const TipDisplacement& displacement);
-
-/// Result for a frame with a contact. `before`: the face of the same contact in the frame before,
-/// used where this frame does not determine it. The position on the contact face is that of the
-/// first region; on the sides there is none (push.h).
-[[nodiscard]] FingerContact finger_contact(const ContactEvidence& evidence, const FaceShape& shape,
-                                           std::optional<PushedFace> before);
-
-/// Mean over all markers of the position of their columns along the face, mm. This is the skin's
-/// position in the coordinates of PositionOnFinger::along_mm, whose origin moves as the finger
-/// bends. nullopt: there are no markers.
-[[nodiscard]] std::optional<double> skin_along_mm(const Markers& markers, const FaceShape& shape);
-
-// Whether something presses on the contact face: yes, no, or unknown.
-
-/// State of the contact face.
-enum class FaceContact {
-  kUnknown = 1,  ///< no face in the image, no finger, or its first frames
-  kFree,
-  kInContact,
-};
-
 inline constexpr double kContactDepth_mm = 0.15;  ///< above noise and permanent indentations
 
-/// From depth: kInContact where a region is deeper than kContactDepth_mm.
-[[nodiscard]] FaceContact face_contact(const std::vector<ContactRegion>& regions);
+/// What one frame shows by itself, whichever contact the frames before had. Strengths have no unit:
+/// 1 is the threshold.
+struct ContactEvidence {
+  /// Of the first region.
+  struct Indentation {
+    PositionOnFinger position;
+    std::optional<Eigen::Vector3d> direction;  ///< unit normal into the face, camera frame
+    /// Centre on the skin, mm: along it from the mean of the markers, and across the face. Empty
+    /// where the region has no covariance.
+    std::optional<Eigen::Vector2d> on_skin_mm;
+    Eigen::Matrix2d on_skin_covariance_mm2 = Eigen::Matrix2d::Zero();
+  };
+  /// Of the finger's tip (TipDisplacement).
+  struct Deflection {
+    PushedFace face = PushedFace::kContact;                ///< from which it was deflected
+    Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();  ///< unit, camera frame
+    double direction_sd_deg = 0;
+    std::optional<PositionOnFinger> position;  ///< of a push on the back, where it is known
+  };
 
-/// Before calibration, from a dark area against the reference: kInContact where more than 0.1 % of
-/// the measured face is darker by 12 %; kUnknown where nothing was measured.
-[[nodiscard]] FaceContact face_contact(const Difference& difference);
+  std::optional<double> time_s;  ///< of any clock
+  std::optional<double> depth;   ///< strength of the greatest depth; empty: there is no depth
+  double push = 0;               ///< strength of the deflection; 0: no marker shows one
+  std::optional<Indentation> indentation;  ///< empty: there is no region
+  /// Empty where the push is below FingerContactTracker::kRelease, or of unknown direction.
+  std::optional<Deflection> deflection;
+  /// Something presses into the contact face, by the best measure that there is (table above).
+  /// Empty: unknown, as no face is seen or these are the first frames.
+  std::optional<bool> is_face_pressed;
 
-// Beginning and end of a contact, and whether the object slips: over the frames of one source.
+  [[nodiscard]] double strength() const { return std::max(push, depth.value_or(0)); }
 
-/// A contact begins when frames have shown one (strength 1 and more, ContactEvidence) for kOnset_s.
-/// It ends when they have shown less than kRelease of that for kRelease_s. In between the state
-/// does not change. Durations are in seconds, so that neither the frame rate nor lost frames
-/// matter; each frame without a time counts by itself. The first frame counts at once, as does the
-/// first after a pause of more than kMaxGap_s or after time went back.
+  /// Adds what the depth shows. `markers`: may be null.
+  void add_regions(const std::vector<ContactRegion>& regions, const FaceShape& shape,
+                   const Markers* markers);
+  /// Adds what the markers show, after the depth.
+  ///   displacement_cov_px2: displacement_covariance_px2()
+  void add_push(const Push& push, const ContactSettings& settings, const Markers& markers,
+                const FaceShape& shape, const Eigen::MatrixXd& displacement_cov_px2);
+};
+
+/// Whether something presses into the contact face, before calibration: more than 0.1 % of the
+/// measured face is darker than its reference by 12 %. Empty where nothing was measured.
+[[nodiscard]] std::optional<bool> is_face_dark(const Difference& difference);
+
+/// Tracks the contact of a finger over the frames of one source, in their order.
+///
+/// A contact begins when frames have shown one (strength 1 and more) for kOnset_s. It ends when
+/// they have shown less than kRelease of that for kRelease_s. In between the state does not change.
+/// Durations are in seconds, so that neither the frame rate nor lost frames matter; each frame
+/// without a time counts by itself. The first frame counts at once, as does the first after a pause
+/// of more than kMaxGap_s or after time went back.
+///
+/// The face of a contact is that of its first region, else that of the deflection. A frame that
+/// shows neither has the face of the frame before. The position on the contact face is that of the
+/// first region; on the sides there is none (push.h).
 ///
 /// The object slips when its position has moved against the skin within kWindow_s by more than
 /// kSlipSds standard deviations and by more than kMinSlip_mm. Growing indentations and the markers'
 /// distance behind the face can cause apparent motion up to kMinSlip_mm. Rolling is reported as
 /// slipping: both move the contact over the skin.
-class ContactState {
+class FingerContactTracker {
  public:
   static constexpr double kRelease = 0.6;
   static constexpr double kOnset_s = 0.015, kRelease_s = 0.05, kMaxGap_s = 1.0;
   static constexpr double kWindow_s = 0.25, kSlipSds = 5.0, kMinSlip_mm = 0.4;
 
-  struct Observation {
-    std::optional<double> time_s;  ///< of any clock
-    double strength = 0;
-    /// Of the contact, along the face and across it, and its covariance; empty: unknown.
-    std::optional<Eigen::Vector2d> position_mm;
-    Eigen::Matrix2d position_covariance_mm2 = Eigen::Matrix2d::Zero();
-    /// Position of the skin along the face, in the same coordinates (skin_along_mm).
-    double skin_along_mm = 0;
-  };
-  struct Estimate {
-    bool has_contact = false, is_new = false;
-    std::optional<double> held_s;            ///< since it began; empty without times
-    std::optional<bool> is_slipping;         ///< empty: no contact, no positions, or no times
-    std::optional<Eigen::Vector2d> slip_mm;  ///< over the skin, within the window
-  };
-  [[nodiscard]] Estimate add(const Observation& seen);
-  void forget() { *this = ContactState(); }
+  /// False: the frames are not consecutive, and each counts by itself.
+  explicit FingerContactTracker(bool is_continuous = true) : is_continuous_(is_continuous) {}
+
+  /// The contact in the next frame; nullopt: there is none. A frame without evidence (it could not
+  /// be measured) has none and changes nothing.
+  [[nodiscard]] std::optional<FingerContact> operator()(const std::optional<ContactEvidence>& seen);
+  /// Resets the state: the next frame does not follow the last one in time.
+  void forget() { *this = FingerContactTracker(is_continuous_); }
 
  private:
-  void update_contact(const Observation& seen, Estimate& estimate);
-  void detect_slip(const Observation& seen, Estimate& estimate);
+  [[nodiscard]] bool begins(const ContactEvidence& seen);
+  [[nodiscard]] std::optional<bool> is_slipping(const ContactEvidence& seen);
 
   struct Sample {
     double time_s;
     Eigen::Vector2d on_skin_mm;
     Eigen::Matrix2d covariance_mm2;
   };
+  bool is_continuous_;
   bool has_begun_ = false, has_contact_ = false;
+  std::optional<PushedFace> face_;  // of the present contact
   std::optional<double> last_s_, began_s_;
   std::optional<double> strong_s_, weak_s_;  // since when
   std::deque<Sample> samples_;
-};
-
-// Tracks the contact of a finger over the frames of a source.
-
-/// All evidence of one frame: the observation, and the contact for each face that the frame before
-/// may have had.
-struct FrameContacts {
-  ContactState::Observation seen;
-  std::array<FingerContact, 5> by_face;  ///< 0: none before; else a PushedFace
-};
-
-/// Stores the contact of the frames before.
-class FingerContactTracker {
- public:
-  struct FrameInput {
-    std::optional<double> time_s;               ///< of any clock
-    const FaceShape* shape = nullptr;           ///< required
-    const Markers* markers = nullptr;           ///< null: none were found
-    const Push* push = nullptr;                 ///< null: no marker shows one
-    const ContactSettings* settings = nullptr;  ///< required with `push`
-    /// displacement_covariance_px2(); required with `push`
-    const Eigen::MatrixXd* displacement_cov_px2 = nullptr;
-    const std::vector<ContactRegion>* regions = nullptr;  ///< null: there is no depth
-  };
-  /// nullopt: there is no contact.
-  [[nodiscard]] std::optional<FingerContact> operator()(const FrameInput& frame);
-  /// Uses no state: for frames that are measured independently of those before them.
-  [[nodiscard]] static FrameContacts single_frame(const FrameInput& frame);
-  /// Resets the state: the next frame does not follow the last one in time.
-  void forget() { *this = FingerContactTracker(); }
-
- private:
-  ContactState state_;
-  std::optional<PushedFace> face_;
 };
 
 // Detects contact before there is a reference recording: every patch of skin is compared with its

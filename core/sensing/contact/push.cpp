@@ -38,7 +38,6 @@ Eigen::MatrixXd displacement_covariance_px2(const Markers& markers,
 Push push_of(const Markers& markers, const ContactSettings& settings, bool base_at_low_u,
              const Eigen::MatrixXd& displacement_cov_px2) {
   Push result;
-  result.offset_px.setZero();
   const auto& rest = settings.rest_markers;
   if (markers.empty() || markers.size() != rest.size()) return result;
   for (std::size_t m = 0; m < markers.size(); ++m)
@@ -54,8 +53,7 @@ Push push_of(const Markers& markers, const ContactSettings& settings, bool base_
   for (Eigen::Index i = 0; i < covariance.rows(); i += 2)
     for (Eigen::Index k = 0; k < covariance.cols(); k += 2)
       result.offset_covariance_px2 += covariance.block<2, 2>(i, k);
-  result.pushed = length > settings.threshold_px && length > 0;
-  if (!result.pushed) return result;
+  if (!(length > settings.threshold_px && length > 0)) return result;
   const Eigen::Vector2d direction = result.offset_px / length;
   const Eigen::Vector2d across(-direction.y(), direction.x());
   result.direction = Eigen::Vector3d(direction.x(), direction.y(), 0.0);

@@ -1,5 +1,5 @@
-// Detects whether the finger is pushed, and from which side, from the markers alone. Other notions
-// of contact: see contact_regions.h.
+// Measures how far and from which side the finger is pushed, from the markers alone. From when on
+// this is a contact: see finger_contact.h.
 #pragma once
 
 #include "core/finger/finger.h"
@@ -15,11 +15,12 @@
 namespace alltact {
 
 struct Push {
-  bool pushed = false;
-  Eigen::Vector2d offset_px;  ///< o': sum over markers of position - rest position
+  Eigen::Vector2d offset_px =
+      Eigen::Vector2d::Zero();  ///< o': sum over markers of position - rest position
   Eigen::Matrix2d offset_covariance_px2 = Eigen::Matrix2d::Zero();
-  /// Set only when pushed: unit offset in the image plane, its standard deviation, and the face
-  /// whose inward normal is nearest. Contact is +u (towards the tip), back -u, upper +v, lower -v.
+  /// Only of an offset above ContactSettings::threshold_px: unit offset in the image plane, its
+  /// standard deviation, and the face whose inward normal is nearest. Contact is +u (towards the
+  /// tip), back -u, upper +v, lower -v.
   std::optional<Eigen::Vector3d> direction;
   std::optional<double> sd_deg;  ///< of offset_covariance_px2 across the direction, over |o'|
   std::optional<PushedFace> face;
@@ -32,8 +33,8 @@ struct Push {
 [[nodiscard]] Eigen::MatrixXd displacement_covariance_px2(
     const Markers& markers, const std::optional<Eigen::MatrixXd>& now_px2 = std::nullopt);
 
-/// `displacement_cov_px2`: the above; empty: without now_px2. Returns no push and offset 0 where
-/// the markers are not those of the settings, or one has no position.
+/// `displacement_cov_px2`: the above; empty: without now_px2. Returns no direction and offset 0
+/// where the markers are not those of the settings, or one has no position.
 [[nodiscard]] Push push_of(const Markers& markers, const ContactSettings& settings,
                            bool base_at_low_u, const Eigen::MatrixXd& displacement_cov_px2 = {});
 

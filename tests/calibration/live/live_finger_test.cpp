@@ -63,7 +63,7 @@ TEST_F(LiveFingerTest, ShowsTheEdgesOfAFingerThatNobodyDescribed) {
   EXPECT_FALSE(view->problem);
   EXPECT_TRUE(view->result.edges);
   EXPECT_FALSE(view->result.shape || view->result.markers);
-  EXPECT_EQ(view->result.touch, FaceContact::kUnknown);
+  EXPECT_EQ(is_face_pressed(view->result), std::nullopt);
   EXPECT_EQ(finger_.status().state, FingerState::kNone);
 }
 
@@ -74,8 +74,8 @@ TEST_F(LiveFingerTest, ShowsMarkersAndTouchOfADescribedOneBeforeItsReference) {
   std::shared_ptr<const LiveView> view;
   for (int i = 0; i < 8; ++i) view = shown(frame(i));
   EXPECT_TRUE(view->result.shape && view->result.markers);
-  EXPECT_EQ(view->result.touch, FaceContact::kFree);
-  EXPECT_EQ(shown(frame(70))->result.touch, FaceContact::kInContact);
+  EXPECT_EQ(is_face_pressed(view->result), false);
+  EXPECT_EQ(is_face_pressed(shown(frame(70))->result), true);
   finger_.open({});
   EXPECT_FALSE(shown(frame(71))->result.shape);
 }
@@ -85,7 +85,7 @@ TEST_F(LiveFingerTest, ForgetsWhenAFrameDoesNotFollowTheLastOne) {
   ASSERT_TRUE(wait_for(FingerState::kReady));
   for (int i = 0; i < 8; ++i) static_cast<void>(shown(frame(i)));
   next_ = 0;  // the source begins anew
-  EXPECT_EQ(shown(frame(0))->result.touch, FaceContact::kUnknown);
+  EXPECT_EQ(is_face_pressed(shown(frame(0))->result), std::nullopt);
 }
 
 TEST_F(LiveFingerTest, ShowsAPictureOfAnotherSizeAsItCameAndSaysWhy) {
@@ -98,7 +98,7 @@ TEST_F(LiveFingerTest, ShowsAPictureOfAnotherSizeAsItCameAndSaysWhy) {
   EXPECT_NE(view->problem->sentence().find("480 x 270 px"), std::string::npos);
   EXPECT_EQ(view->result.grey.data, small.data);
   EXPECT_FALSE(view->result.edges);
-  EXPECT_EQ(view->result.touch, FaceContact::kUnknown);
+  EXPECT_EQ(is_face_pressed(view->result), std::nullopt);
   EXPECT_EQ(view->faults_layer.size(), small.size());
   EXPECT_FALSE(shown(frame(1))->problem);
 }

@@ -51,7 +51,7 @@ TEST(PipelineOfAnUnknownFinger, TellsTheEdgesAloneOfPicturesOfAnySize) {
     EXPECT_EQ(result.grey.data, image.data);
     EXPECT_TRUE(result.edges);
     EXPECT_FALSE(result.shape || result.markers || result.reference || result.depth);
-    EXPECT_EQ(result.touch, FaceContact::kUnknown);
+    EXPECT_EQ(is_face_pressed(result), std::nullopt);
     EXPECT_THAT(result.problems, testing::IsEmpty()) << "the same picture again is none";
     EXPECT_GT(result.times_ms.edges, 0);
     EXPECT_GE(result.times_ms.total, result.times_ms.edges);
@@ -101,11 +101,11 @@ TEST_F(PipelineWithoutReference, TellsDotsThatAreNoMarkersYet) {
 
 TEST_F(PipelineWithoutReference, TellsTouchAfterItsFirstFramesAndAnewWhenItForgets) {
   // Frame 70: the ball is in by 0.84 mm; before frame 46 nothing presses.
-  for (int i = 0; i < 4; ++i) EXPECT_EQ(look(i).touch, FaceContact::kUnknown) << i;
-  for (int i = 4; i < 20; ++i) EXPECT_EQ(look(i).touch, FaceContact::kFree) << i;
-  EXPECT_EQ(look(70).touch, FaceContact::kInContact);
+  for (int i = 0; i < 4; ++i) EXPECT_EQ(is_face_pressed(look(i)), std::nullopt) << i;
+  for (int i = 4; i < 20; ++i) EXPECT_EQ(is_face_pressed(look(i)), false) << i;
+  EXPECT_EQ(is_face_pressed(look(70)), true);
   pipeline_.forget();
-  EXPECT_EQ(look(70).touch, FaceContact::kUnknown);
+  EXPECT_EQ(is_face_pressed(look(70)), std::nullopt);
 }
 
 TEST_F(PipelineWithoutReference, RefusesAPictureOfAnotherSizeAndGoesOnAfterIt) {
@@ -115,7 +115,7 @@ TEST_F(PipelineWithoutReference, RefusesAPictureOfAnotherSizeAndGoesOnAfterIt) {
   EXPECT_EQ(refused.error().where.english(), "/dev/video9");
   EXPECT_EQ(refused.error().advice.english(),
             "the finger that belongs to this camera, or this finger's camera");
-  EXPECT_EQ(look(7).touch, FaceContact::kFree) << "it remembers the frames before";
+  EXPECT_EQ(is_face_pressed(look(7)), false) << "it remembers the frames before";
 }
 
 TEST_F(PipelineWithoutReference, SaysNothingOfACameraThatStandsStill) {
@@ -136,8 +136,8 @@ TEST(PipelineOfAFlatSensor, TellsItsShapeWithTheReferenceAlone) {
   EXPECT_TRUE(pipeline.has_reference());
   const FrameResult result = measured(pipeline, pressed.render(2));
   EXPECT_TRUE(result.shape && result.difference);
-  EXPECT_EQ(result.touch, FaceContact::kInContact);
-  EXPECT_EQ(measured(pipeline, free).touch, FaceContact::kFree);
+  EXPECT_EQ(is_face_pressed(result), true);
+  EXPECT_EQ(is_face_pressed(measured(pipeline, free)), false);
   EXPECT_THAT(measured(pipeline, free.clone()).problems, testing::SizeIs(2))
       << "not calibrated, and the camera stands still";
   pipeline.forget();

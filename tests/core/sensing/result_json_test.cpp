@@ -86,7 +86,6 @@ TEST(ResultLine, CarriesEverythingUnderTheDesignsNames) {
   result.reference->frame = 117;
   result.reference->distance_px = 1.8;
   result.push.emplace();
-  result.push->pushed = true;
   result.push->offset_px = {12.1, 0.4};
   result.push->direction = Eigen::Vector3d(0.999, 0.03, 0.0);
   result.push->sd_deg = 1.2;

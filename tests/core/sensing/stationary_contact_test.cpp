@@ -120,7 +120,7 @@ FrameResult capped(double depth_mm, double radius_mm) {
   face.plane_z_mm = 20;
   FrameResult result;
   result.shape = FaceShape::plane(Camera::create(parameters).value(), face);
-  result.touch = FaceContact::kInContact;
+  result.evidence.emplace().is_face_pressed = true;
   DepthMap depth;
   depth.depth_mm = cv::Mat(300, 400, CV_32FC1, cv::Scalar(0));
   for (int v = 0; v < 300; ++v)
@@ -144,7 +144,7 @@ TEST(DarkPatch, TellsHowLargeTheDiscIsAndSoHowDeepTheBallIs) {
     EXPECT_NEAR(disc_depth_mm(patch->disc_radius_mm, 4), depth, 0.12 * depth);
   }
   FrameResult free = capped(0.5, 4);
-  free.touch = FaceContact::kFree;
+  free.evidence->is_face_pressed = false;
   EXPECT_FALSE(dark_patch(free));
 }
 

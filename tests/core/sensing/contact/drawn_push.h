@@ -97,14 +97,9 @@ inline std::optional<Told> told_of(const std::string& scene, Parameters& random)
   const Eigen::MatrixXd ways = displacement_covariance_px2(markers);
   told.push = push_of(markers, settings, result->shape->base_at_low_u(), ways);
   told.displacement = tip_displacement(markers, settings.rest_markers, *result->shape, ways);
-  ContactEvidence signs;
-  if (told.displacement)
-    signs.along_back =
-        push_along_back(markers, settings.rest_markers, *result->shape, ways, *told.displacement);
-  signs.push = &told.push;
-  signs.push_threshold_px = settings.threshold_px;
-  signs.displacement = told.displacement;
-  if (signs.strength() >= 1) told.contact = finger_contact(signs, *result->shape, {});
+  ContactEvidence evidence;
+  evidence.add_push(told.push, settings, markers, *result->shape, ways);
+  told.contact = FingerContactTracker()(evidence);
   return told;
 }
 

@@ -133,37 +133,33 @@ TEST(FingerContact, ADentTellsTheFaceAndTheMarkersTheWay) {
   camera.width_px = 320, camera.height_px = 180;
   camera.fx_px = camera.fy_px = 170, camera.cx_px = 160, camera.cy_px = 90;
   const FaceShape shape = FaceShape::plane(Camera::create(camera).value(), face);
-  Push push;
-  push.offset_px = {0, 40};
-  ContactEvidence signs;
-  signs.push = &push;
-  signs.push_threshold_px = 10;
-  signs.displacement.emplace();
-  signs.displacement->displacement_mm = {0, 3};
-  signs.displacement->towards_back = {0, 0, -1};
-  signs.displacement->covariance_mm2 = 0.03 * 0.03 * Eigen::Matrix2d::Identity();
-  EXPECT_EQ(finger_contact(signs, shape, {}).face, PushedFace::kUpper);
+  // A drag towards +y, as the markers show it.
+  ContactEvidence evidence;
+  evidence.push = 4;
+  evidence.deflection = {PushedFace::kUpper, Eigen::Vector3d::UnitY(), 0.6, std::nullopt};
+  EXPECT_EQ(FingerContactTracker()(evidence)->face, PushedFace::kUpper);
   ContactRegion region;
   region.position_mm = region.deepest_point_mm = {0, 0, 31.2};
   region.position_px = {160, 90};
   region.deepest_on_face_mm = {12, 3};
   region.deepest_mm = 0.3;
-  const std::vector<ContactRegion> regions{region};
-  signs.regions = &regions;
-  const FingerContact dragged = finger_contact(signs, shape, {});
-  EXPECT_EQ(dragged.face, PushedFace::kContact);
-  EXPECT_NEAR((*dragged.direction - Eigen::Vector3d::UnitY()).norm(), 0, 1e-12);
-  EXPECT_NEAR(*dragged.direction_sd_deg, 0.01 * 180 / std::numbers::pi, 1e-9);
-  ASSERT_TRUE(dragged.position);
-  EXPECT_EQ(dragged.position->along_mm, 12);
-  EXPECT_EQ(dragged.position->across_mm, 3);
-  EXPECT_FALSE(dragged.position->along_sd_mm) << "the region tells none";
+  ContactEvidence dented = evidence;
+  dented.add_regions({region}, shape, nullptr);
+  FingerContactTracker contacts;
+  const auto dragged = contacts(dented);
+  ASSERT_TRUE(dragged && dragged->position);
+  EXPECT_EQ(dragged->face, PushedFace::kContact);
+  EXPECT_EQ(dragged->direction, Eigen::Vector3d::UnitY());
+  EXPECT_EQ(dragged->direction_sd_deg, 0.6);
+  EXPECT_EQ(dragged->position->along_mm, 12);
+  EXPECT_EQ(dragged->position->across_mm, 3);
+  EXPECT_FALSE(dragged->position->along_sd_mm) << "the region tells none";
   // A slight dent is that of a contact which pressed there before, and else of none.
-  std::vector<ContactRegion> slight{region};
-  slight[0].deepest_mm = 0.12;
-  signs.regions = &slight;
-  EXPECT_EQ(finger_contact(signs, shape, {}).face, PushedFace::kUpper);
-  EXPECT_EQ(finger_contact(signs, shape, PushedFace::kContact).face, PushedFace::kContact);
+  region.deepest_mm = 0.12;
+  ContactEvidence slight = evidence;
+  slight.add_regions({region}, shape, nullptr);
+  EXPECT_EQ(FingerContactTracker()(slight)->face, PushedFace::kUpper);
+  EXPECT_EQ(contacts(slight)->face, PushedFace::kContact);
 }
 
 }  // namespace

@@ -63,7 +63,7 @@ double nees_with_hidden(int hidden, double noise_px) {
       const Push told =
           push_of(*completed, settings, true,
                   displacement_covariance_px2(*completed, known.model.covariance_px2(*completed)));
-      if (!told.pushed) continue;
+      if (!told.direction) continue;
       const double error = std::remainder(
           std::atan2(told.direction->y(), told.direction->x()) - std::atan2(offset.y(), offset.x()),
           2 * std::numbers::pi);

@@ -29,10 +29,9 @@ TEST(Push, OffsetIsTheSumOverMarkersAndOnlyBeyondTheThresholdAPush) {
   EXPECT_NEAR(little.offset_px.y(), 12 * 0.4, 1e-9);
   EXPECT_NEAR(little.offset_px.norm(), 6.0, 1e-9);
   const Push none = push_of(moved(settings, {0.29, 0.4}), settings, true);
-  EXPECT_FALSE(none.pushed);
   EXPECT_FALSE(none.direction || none.sd_deg || none.face);
   const Push some = push_of(moved(settings, {0.31, 0.4}), settings, true);
-  EXPECT_TRUE(some.pushed);
+  ASSERT_TRUE(some.direction);
   EXPECT_NEAR(some.direction->norm(), 1.0, 1e-12);
   EXPECT_EQ(some.direction->z(), 0.0);
 }
@@ -80,12 +79,12 @@ TEST(Push, MarkersThatDoNotBelongToTheFingerAreNoPush) {
   const auto settings = at_rest(1.0);
   auto markers = moved(settings, {5, 5});
   markers.pop_back();
-  EXPECT_FALSE(push_of(markers, settings, true).pushed);
-  EXPECT_FALSE(push_of({}, ContactSettings{}, true).pushed);
+  EXPECT_FALSE(push_of(markers, settings, true).direction);
+  EXPECT_FALSE(push_of({}, ContactSettings{}, true).direction);
   markers = moved(settings, {5, 5});
   markers[3].u = std::nan("");
   const Push result = push_of(markers, settings, true);
-  EXPECT_FALSE(result.pushed);
+  EXPECT_FALSE(result.direction);
   EXPECT_TRUE(result.offset_px.allFinite());
 }
 

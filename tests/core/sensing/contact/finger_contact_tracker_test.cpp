@@ -6,20 +6,18 @@
 namespace alltact {
 namespace {
 
-using StateInput = ContactState::Observation;
-
-StateInput strong(double time_s, double strength) {
-  StateInput seen;
+ContactEvidence strong(double time_s, double strength) {
+  ContactEvidence seen;
   seen.time_s = time_s;
-  seen.strength = strength;
+  seen.push = strength;
   return seen;
 }
 
-TEST(ContactState, BeginsAndEndsOnceWhateverChattersAroundTheThreshold) {
+TEST(FingerContactTracker, BeginsAndEndsOnceWhateverChattersAroundTheThreshold) {
   std::mt19937 random(12);
   std::normal_distribution<double> noise(0.0, 0.08);
   for (const double rate : {15.0, 30.0, 60.0, 120.0}) {
-    ContactState state;
+    FingerContactTracker contacts;
     int began = 0, touched = 0, crossings = 0;
     bool was = false;
     const int n = static_cast<int>(4 * rate);
@@ -33,9 +31,9 @@ TEST(ContactState, BeginsAndEndsOnceWhateverChattersAroundTheThreshold) {
       const double strength = level + noise(random);
       crossings += (strength >= 1) != was;
       was = strength >= 1;
-      const auto told = state.add(strong(t, strength));
-      began += told.is_new;
-      touched += told.has_contact;
+      const auto told = contacts(strong(t, strength));
+      began += told && told->is_new;
+      touched += told.has_value();
     }
     EXPECT_EQ(began, 1) << rate;
     EXPECT_GT(crossings, 4) << "the sequence chatters";
@@ -43,33 +41,33 @@ TEST(ContactState, BeginsAndEndsOnceWhateverChattersAroundTheThreshold) {
   }
 }
 
-TEST(ContactState, OneStrayFrameIsNoContactAndOneWeakFrameNoEnd) {
-  ContactState state;
+TEST(FingerContactTracker, OneStrayFrameIsNoContactAndOneWeakFrameNoEnd) {
+  FingerContactTracker contacts;
   for (int i = 0; i < 60; ++i)
-    EXPECT_FALSE(state.add(strong(i / 30.0, i % 7 == 3 ? 5.0 : 0.1)).has_contact) << i;
-  state.forget();
+    EXPECT_FALSE(contacts(strong(i / 30.0, i % 7 == 3 ? 5.0 : 0.1))) << i;
+  contacts.forget();
   for (int i = 0; i < 60; ++i) {
-    const auto told = state.add(strong(i / 30.0, i % 7 == 3 ? 0.0 : 3.0));
-    EXPECT_TRUE(told.has_contact) << i;
-    EXPECT_EQ(told.is_new, i == 0);
-    EXPECT_NEAR(told.held_s.value(), i / 30.0, 1e-12);
+    const auto told = contacts(strong(i / 30.0, i % 7 == 3 ? 0.0 : 3.0));
+    ASSERT_TRUE(told) << i;
+    EXPECT_EQ(told->is_new, i == 0);
+    EXPECT_NEAR(told->held_s.value(), i / 30.0, 1e-12);
   }
 }
 
-TEST(ContactState, LostFramesAndUnsteadyTimesDoNotMatter) {
+TEST(FingerContactTracker, LostFramesAndUnsteadyTimesDoNotMatter) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> one(0.0, 1.0);
   for (int run = 0; run < 200; ++run) {
     const double on = 0.5 + one(random), off = on + 0.3 + one(random);
-    ContactState state;
+    FingerContactTracker contacts;
     std::optional<double> first, last;
     int began = 0;
     double longest = 0, before = 0;
     for (double t = 0; t < off + 0.7;) {
-      const auto told = state.add(strong(t, t >= on && t < off ? 2.0 : 0.0));
-      began += told.is_new;
-      if (told.has_contact && !first) first = t;
-      if (told.has_contact) last = t;
+      const auto told = contacts(strong(t, t >= on && t < off ? 2.0 : 0.0));
+      began += told && told->is_new;
+      if (told && !first) first = t;
+      if (told) last = t;
       longest = std::max(longest, t - before);
       before = t;
       t += one(random) < 0.15 ? 0.2 * one(random) : 0.004 + 0.03 * one(random);
@@ -78,34 +76,35 @@ TEST(ContactState, LostFramesAndUnsteadyTimesDoNotMatter) {
     EXPECT_EQ(began, 1);
     // Told within the duration and the gap that it fell into and the one behind.
     EXPECT_GE(*first, on);
-    EXPECT_LT(*first, on + ContactState::kOnset_s + 2 * longest);
+    EXPECT_LT(*first, on + FingerContactTracker::kOnset_s + 2 * longest);
     EXPECT_GE(*last + longest, off);
-    EXPECT_LT(*last, off + ContactState::kRelease_s + longest);
+    EXPECT_LT(*last, off + FingerContactTracker::kRelease_s + longest);
   }
 }
 
-TEST(ContactState, WithoutTimesEachFrameCountsByItself) {
-  ContactState state;
-  StateInput seen;
+TEST(FingerContactTracker, WithoutTimesEachFrameCountsByItself) {
+  FingerContactTracker contacts;
+  ContactEvidence seen;
   for (const auto& [strength, touched] :
        {std::pair{0.9, false}, {1.0, true}, {0.7, true}, {0.5, false}, {0.9, false}, {1.1, true}}) {
-    seen.strength = strength;
-    const auto told = state.add(seen);
-    EXPECT_EQ(told.has_contact, touched) << strength;
-    EXPECT_FALSE(told.held_s || told.is_slipping);
+    seen.push = strength;
+    const auto told = contacts(seen);
+    EXPECT_EQ(told.has_value(), touched) << strength;
+    EXPECT_FALSE(told && (told->held_s || told->is_slipping));
   }
 }
 
-TEST(ContactState, APauseOrTimeGoingBackBeginsAnew) {
+TEST(FingerContactTracker, APauseOrTimeGoingBackBeginsAnew) {
   for (const double next : {9.0, -1.0}) {
-    ContactState state;
-    for (int i = 0; i < 5; ++i) (void)state.add(strong(i / 30.0, 2));
-    const auto told = state.add(strong(next, 2));
-    EXPECT_TRUE(told.is_new);
-    EXPECT_EQ(told.held_s.value(), 0);
-    state.forget();
-    (void)state.add(strong(0, 2));
-    EXPECT_FALSE(state.add(strong(next, 0.7)).has_contact);
+    FingerContactTracker contacts;
+    for (int i = 0; i < 5; ++i) (void)contacts(strong(i / 30.0, 2));
+    const auto told = contacts(strong(next, 2));
+    ASSERT_TRUE(told);
+    EXPECT_TRUE(told->is_new);
+    EXPECT_EQ(told->held_s.value(), 0);
+    contacts.forget();
+    (void)contacts(strong(0, 2));
+    EXPECT_FALSE(contacts(strong(next, 0.7)));
   }
 }
 
@@ -118,28 +117,29 @@ Slips slips_of(const std::string& push, double sd_mm, unsigned seed, double skin
   const PlacedScene placed(with_frames(n, pushing(push) + kPushedBody));
   std::mt19937 random(seed);
   std::normal_distribution<double> noise(0.0, sd_mm);
-  ContactState state;
+  FingerContactTracker contacts;
   Slips slips;
   for (int i = 0; i < n; ++i) {
     const FrameGeometry truth = placed.at(i);
-    StateInput seen = strong(i / 30.0, truth.contacts.empty() ? 0 : 5);
+    ContactEvidence seen = strong(i / 30.0, truth.contacts.empty() ? 0 : 5);
     if (!truth.contacts.empty()) {
       // Where the base comes into the picture, places along the face begin.
-      seen.skin_along_mm = skin_drift_mm * i / n;
-      seen.position_mm =
-          Eigen::Vector2d(truth.contacts[0].along_mm + seen.skin_along_mm + noise(random),
-                          truth.contacts[0].across_mm + noise(random));
-      seen.position_covariance_mm2 = sd_mm * sd_mm * Eigen::Matrix2d::Identity();
+      const double skin_mm = skin_drift_mm * i / n;
+      const Eigen::Vector2d place_mm(truth.contacts[0].along_mm + skin_mm + noise(random),
+                                     truth.contacts[0].across_mm + noise(random));
+      auto& indentation = seen.indentation.emplace();
+      indentation.on_skin_mm = place_mm - Eigen::Vector2d(skin_mm, 0);
+      indentation.on_skin_covariance_mm2 = sd_mm * sd_mm * Eigen::Matrix2d::Identity();
     }
-    const auto told = state.add(seen);
+    const auto told = contacts(seen);
     if (i < 12) continue;  // once the window is full
     ++slips.frames;
-    slips.slipping += told.is_slipping.value_or(false);
+    slips.slipping += told && told->is_slipping.value_or(false);
   }
   return slips;
 }
 
-TEST(ContactState, ABallThatSlidesSlipsAndOneThatIsDraggedOrPressedHarderDoesNot) {
+TEST(FingerContactTracker, ABallThatSlidesSlipsAndOneThatIsDraggedOrPressedHarderDoesNot) {
   Parameters random(8);
   Slips sliding, dragged, pressed;
   const auto add = [](Slips& all, const Slips& one) {
