@@ -93,7 +93,6 @@ TEST_F(DiskFaults, ADiskThatBecomesReadOnlyOrBreaksAtEveryWrite) {
 }
 
 TEST_F(DiskFaults, AFullDiskWhileAFingerIsCalibrated) {
-  if (!is_slow_run()) GTEST_SKIP() << "a minute: with ALLTACT_SLOW only";
   std::string presses;
   for (const auto& press : flat_.presses) presses += " " + press.string();
   fail_each("calibrate " + finger() + presses, ENOSPC, "the disk is full");
@@ -126,11 +125,11 @@ TEST_F(DiskFaults, TheClockOfTheComputerWasSetBack) {
 }
 
 TEST_F(DiskFaults, ADiskThatStallsIsToldOfAndCanBeLeft) {
-  if (!is_slow_run()) GTEST_SKIP() << "waits for seconds: with ALLTACT_SLOW only";
   const ProgramRun run = run_shell(fmt::format(
-      "export ALLTACT_DISK='{0}' ALLTACT_DISK_STALL=20000; LD_PRELOAD={1} {2} check {0} & "
-      "sleep 4.9; kill -INT $!; sleep 0.2; kill -INT $!; wait $!",
-      finger(), ALLTACT_FAULTY_DISK, ALLTACT_PROGRAM));
+      "export ALLTACT_DISK='{0}' ALLTACT_DISK_STALL=60000; LD_PRELOAD={1} {2} check {0} 2>{3} & "
+      "for tenth in $(seq 400); do grep -q slowly {3} && break; sleep 0.1; done; "
+      "kill -INT $!; sleep 0.2; kill -INT $!; wait $!; status=$?; cat {3} >&2; exit $status",
+      finger(), ALLTACT_FAULTY_DISK, ALLTACT_PROGRAM, flat_.file("warned")));
   const std::string alarm = "its disk responds slowly";
   EXPECT_THAT(run.errors, HasSubstr("finger.yaml: " + alarm));
   EXPECT_EQ(run.errors.find(alarm), run.errors.rfind(alarm)) << run.errors;

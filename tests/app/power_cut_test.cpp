@@ -1,13 +1,11 @@
 // Power that fails at any moment of a change leaves what was there before or what was to be there
 // then, never some of both, and nothing that anybody has to clear away.
 #include "calibration/reference/reference_recording.h"
-#include "core/finger/finger_store.h"
 #include "core/recording/journal.h"
 #include "core/recording/video_file.h"
 #include "tests/support/finger_on_disk.h"
 #include "tests/support/marked_finger.h"
 #include "tests/support/recorded_disk.h"
-#include "tests/support/slow_run.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -24,8 +22,6 @@ namespace fs = std::filesystem;
 using Lost = DiskModel::Lost;
 using Files = DiskModel::Files;
 
-constexpr std::array kLosses{Lost::kNothing, Lost::kBytes, Lost::kNames, Lost::kBoth};
-
 /// Runs disk_child on a disk that writes down what it does.
 std::vector<DiskOperation> log_of(const fs::path& disk, const std::string& arguments) {
   const TemporaryFolder folder;
@@ -36,54 +32,11 @@ std::vector<DiskOperation> log_of(const fs::path& disk, const std::string& argum
   return disk_log(folder / "log");
 }
 
-std::string names_of(const Files& files, const Files& before, const Files& after) {
-  std::string names;
-  for (const auto& [name, bytes] : files) {
-    const auto is_in = [&, n = name, b = bytes](const Files& others) {
-      const auto found = others.find(n);
-      return found != others.end() && found->second == b;
-    };
-    names += name +
-             (is_in(before)  ? is_in(after) ? " (both)" : " (old)"
-              : is_in(after) ? " (new)"
-                             : " (neither)") +
-             "\n";
-  }
-  return names;
-}
-
-/// Plays a change up to each of its moments; what a program finds then, once it has opened the
-/// finger, is all old or all new.
+/// What a program finds after a power cut at any moment of a change is all old or all new.
 void expect_old_or_new(const fs::path& finger, const std::string& arguments) {
-  DiskModel disk(finger);
-  const Files before = shown(disk.files(Lost::kNothing));
+  const DiskModel disk(finger);
   const auto operations = log_of(finger, arguments);
-  const Files after = files_in(finger);
-  ASSERT_NE(before, after);
-  const TemporaryFolder scratch;
-  std::set<Files> seen;
-  std::size_t old_ones = 0, new_ones = 0;
-  for (std::size_t done = 0; done <= operations.size(); ++done) {
-    if (done > 0) disk.apply(operations[done - 1]);
-    for (const Lost lost : kLosses) {
-      const Files left = disk.files(lost);
-      if (!seen.insert(left).second) continue;
-      const fs::path folder = scratch / std::to_string(seen.size());
-      lay_out(left, folder);
-      const auto opened = open_finger(folder);
-      ASSERT_TRUE(opened) << opened.error().sentence() << " after " << done << " of "
-                          << operations.size();
-      const Files found = files_in(folder);
-      EXPECT_TRUE(found == before || found == after)
-          << "cut after " << done << " of " << operations.size() << ", "
-          << (done > 0 ? operations[done - 1].what + " " + operations[done - 1].path : "") << "\n"
-          << names_of(found, before, after);
-      old_ones += found == before, new_ones += found == after;
-      fs::remove_all(folder);
-    }
-  }
-  EXPECT_GT(old_ones, 0U);
-  EXPECT_GT(new_ones, 0U);
+  expect_old_or_new_after_cuts(disk, operations, finger);
 }
 
 using PowerCut = FingerOnDisk;
@@ -100,7 +53,6 @@ TEST_F(PowerCut, WhileAnUntouchedPictureIsInstalled) {
 }
 
 TEST_F(PowerCut, WhileAFingerIsCalibratedAgainWithMorePresses) {
-  if (!is_slow_run()) GTEST_SKIP() << "seconds: with ALLTACT_SLOW only";
   const std::string calibrate =
       "calibrate " + finger() + " " + flat_.presses[0].string() + " " + flat_.presses[1].string();
   (void)log_of(finger(), calibrate);
@@ -132,7 +84,6 @@ void write_bending(const fs::path& finger_folder, const fs::path& images, double
 }
 
 TEST_F(PowerCut, WhileARecordingIsInstalled) {
-  if (!is_slow_run()) GTEST_SKIP() << "seconds: with ALLTACT_SLOW only";
   const TemporaryFolder folder;
   const fs::path finger = folder / "drawn";
   ASSERT_NO_FATAL_FAILURE(write_bending(finger, folder / "one", 6));
@@ -151,7 +102,6 @@ std::size_t lines_of(const Files& files, const fs::path& scratch) {
 
 /// Whoever records loses the last second, and no frame of which the frame log told before that.
 TEST_F(PowerCut, WhileARecordingIsMade) {
-  if (!is_slow_run()) GTEST_SKIP() << "seconds: with ALLTACT_SLOW only";
   const TemporaryFolder folder;
   fs::create_directory(folder / "day");
   const fs::path day = folder / "day";
@@ -165,7 +115,7 @@ TEST_F(PowerCut, WhileARecordingIsMade) {
     syncs += is_sync ? 1 : 0;
     if (is_sync && operations[done - 1].path.ends_with("v.mkv"))
       told_when_synced = lines_of(disk.files(Lost::kNothing), folder / "then");
-    for (const Lost lost : kLosses) {
+    for (const Lost lost : kEveryLoss) {
       const Files left = disk.files(lost);
       if (!left.contains("v.mkv") || left.at("v.mkv").empty() || !seen.emplace(lost, left).second)
         continue;

@@ -238,14 +238,13 @@ Markers markers_of(const Eigen::VectorXd& layout) {
   return markers;
 }
 
-TEST(SlowRecordings, OfAHundredThousandFramesAreLearntAndSearched) {
-  if (!test::is_slow_run()) GTEST_SKIP() << "packaging/test --slow";
-  constexpr int kFrames = 100'000;
+TEST(LongRecordings, OfAHundredThousandFramesAreLearntAndSearched) {
+  const int frames = test::is_slow_run() ? 100'000 : 10'000;
   std::mt19937 random(55);
-  const Eigen::MatrixXd layouts = many_layouts(kFrames, random);
+  const Eigen::MatrixXd layouts = many_layouts(frames, random);
   const LayoutSearch search(layouts);
   for (int i = 0; i < 50; ++i) {
-    const auto row = static_cast<Eigen::Index>(random() % kFrames);
+    const auto row = static_cast<Eigen::Index>(random() % frames);
     const auto found = search.nearest(markers_of(layouts.row(row).transpose()));
     EXPECT_EQ(found.row, row);
     EXPECT_LT(found.distance_px, 1e-3);
@@ -258,7 +257,7 @@ TEST(SlowRecordings, OfAHundredThousandFramesAreLearntAndSearched) {
   ASSERT_TRUE(model.ok()) << model.error().sentence();
   for (int i = 0; i < 20; ++i) {
     const Eigen::VectorXd layout =
-        layouts.row(static_cast<Eigen::Index>(random() % kFrames)).transpose();
+        layouts.row(static_cast<Eigen::Index>(random() % frames)).transpose();
     Markers markers = markers_of(layout);
     for (const std::size_t hidden : {3U, 11U, 17U}) markers[hidden].seen = false;
     const auto whole = model->complete(markers);

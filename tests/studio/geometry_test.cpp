@@ -54,7 +54,9 @@ bool is_slow_run() { return qEnvironmentVariableIsSet("ALLTACT_SLOW"); }
 const std::vector<Dress>& dresses() {
   static const std::vector<Dress> all = [] {
     const QSize small(1024, 700), middle(1280, 800), wide(1440, 900), large(1920, 1080);
-    if (!is_slow_run()) return std::vector<Dress>{{middle, "en"}, {large, "en"}, {small, "de"}};
+    if (!is_slow_run())
+      return std::vector<Dress>{{small, "en"}, {small, "de"},   {small, "zh_CN"}, {wide, "en"},
+                                {wide, "de"},  {wide, "zh_CN"}, {large, "en"}};
     std::vector<Dress> every;
     for (const Theme theme : {Theme::kLight, Theme::kDark, Theme::kHighContrast})
       for (const char* language : {"en", "de", "zh_CN"})
@@ -72,8 +74,6 @@ struct Wanted {
   double pictured = kLeastPictured;
   double empty = kMostEmpty;
 };
-
-constexpr const char* kLong = "long: set ALLTACT_SLOW";
 
 class Geometry : public testing::Test {
  protected:
@@ -93,7 +93,8 @@ class Geometry : public testing::Test {
       studio.window().resize(dress.size);
       settle(studio.window());
       EXPECT_EQ(studio.window().size(), dress.size) << name << " does not fit, " << dress.name();
-      for (const auto& faults : {cut_texts(studio.window()), overlaps(studio.window())})
+      for (const auto& faults :
+           {cut_texts(studio.window()), overlaps(studio.window()), blank_pictures(studio.window())})
         for (const std::string& fault : faults)
           if (found.insert(fault).second)
             ADD_FAILURE() << name << ", " << dress.name() << ": " << fault;
@@ -224,7 +225,6 @@ TEST_F(Geometry, OfRecord) {
 }
 
 TEST_F(Geometry, OfInspect) {
-  if (!is_slow_run()) GTEST_SKIP() << kLong;
   StudioOptions options;
   options.finger = MadeFingers::get().calibrated();
   Studio studio(options);
@@ -247,7 +247,6 @@ TEST_F(Geometry, OfAccuracy) {
 }
 
 TEST_F(Geometry, OfTheFirstSteps) {
-  if (!is_slow_run()) GTEST_SKIP() << kLong;
   Studio studio;
   studio.click("Simulated finger");
   ASSERT_TRUE(wait_until([&] { return studio.session().status().finger.finger.has_value(); }));
@@ -263,7 +262,6 @@ TEST_F(Geometry, OfTheFirstSteps) {
 }
 
 TEST_F(Geometry, OfTheStepsWithPresses) {
-  if (!is_slow_run()) GTEST_SKIP() << kLong;
   CalibrateStudio rig(6);
   rig.open();
   look(rig.studio(), "presses_first", open_step(rig, "Presses"));
@@ -284,7 +282,6 @@ TEST_F(Geometry, OfTheStepsWithPresses) {
 }
 
 TEST_F(Geometry, OfDialogs) {
-  if (!is_slow_run()) GTEST_SKIP() << kLong;
   NewFingerDialog finger;
   look_at_dialog("new finger", finger);
   SettingsDialog settings({}, nullptr);

@@ -28,6 +28,7 @@
 #include <QTextDocument>
 #include <QToolButton>
 #include <algorithm>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -333,6 +334,25 @@ std::vector<std::string> overlaps(const QWidget& root) {
         found.push_back(fmt::format("{} and {} share {} x {} px", told_of(*children[i]),
                                     told_of(*children[k]), both.width(), both.height()));
       }
+  }
+  return found;
+}
+
+std::vector<std::string> blank_pictures(const QWidget& root) {
+  std::vector<std::string> found;
+  for (const QWidget* widget : shown_below(root)) {
+    const bool is_drawn = shows_picture(*widget) && !qobject_cast<const QOpenGLWidget*>(widget);
+    if (!is_drawn || widget->visibleRegion().isEmpty()) continue;
+    const auto* view = qobject_cast<const ImageView*>(widget);
+    if (view != nullptr && view->image().empty()) continue;  // nothing to show yet
+    // Drawing changes nothing that a widget shows.
+    const QImage image = const_cast<QWidget*>(widget)->grab().toImage();
+    std::map<QRgb, int> count;
+    int most = 0;
+    for (int y = 0; y < image.height(); ++y)
+      for (int x = 0; x < image.width(); ++x) most = std::max(most, ++count[image.pixel(x, y)]);
+    if (most > 0.995 * image.width() * image.height())
+      found.push_back(fmt::format("{} is blank", told_of(*widget)));
   }
   return found;
 }

@@ -17,6 +17,10 @@ namespace alltact::test {
 /// A sentence for each two visible children of one parent that cover a pixel both.
 [[nodiscard]] std::vector<std::string> overlaps(const QWidget& root);
 
+/// A sentence for each visible image and plot below `root` that is of one colour but for a 200th.
+/// Views of OpenGL are left out: nothing draws them off the screen.
+[[nodiscard]] std::vector<std::string> blank_pictures(const QWidget& root);
+
 /// Part of the page, 0 to 1, that pictures, plots and views in 3D take.
 [[nodiscard]] double pictured_part(const QWidget& page);
 

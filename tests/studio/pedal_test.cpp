@@ -5,7 +5,11 @@
 #include "widgets/shell/settings_dialog.h"
 
 #include <QSettings>
+#include <condition_variable>
+#include <deque>
+#include <thread>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 namespace alltact::test {
@@ -150,6 +154,77 @@ TEST_F(PedalInWindow, ClosingWhileItListensOrLearnsIsQuick) {
     timer.start();
     studio.reset();
     EXPECT_LT(timer.elapsed(), 1000);
+  }
+}
+
+/// A pedal in memory: the made-up node merges presses that follow each other so quickly.
+class QuickPedal : public HidPort {
+ public:
+  struct Said {
+    std::mutex mutex;
+    std::condition_variable changed;
+    std::deque<std::vector<std::uint8_t>> reports;
+
+    void press() {
+      const std::lock_guard lock(mutex);
+      reports.insert(reports.end(), {{1, 0, 5, 0}, {1, 0, 0, 0}});
+      changed.notify_all();
+    }
+  };
+  explicit QuickPedal(Said& said) : said_(said) {}
+  Result<std::vector<std::uint8_t>> read(int timeout_ms) override {
+    std::unique_lock lock(said_.mutex);
+    said_.changed.wait_for(lock, std::chrono::milliseconds(timeout_ms),
+                           [&] { return !said_.reports.empty(); });
+    if (said_.reports.empty()) return std::vector<std::uint8_t>();
+    auto report = std::move(said_.reports.front());
+    said_.reports.pop_front();
+    return report;
+  }
+  Status write(std::span<const std::uint8_t>) override { return {}; }
+  Status send_feature(std::span<const std::uint8_t>) override { return {}; }
+
+ private:
+  Said& said_;
+};
+
+/// From the pedal's report through the window to the file: the first press starts a recording, the
+/// second ends it, 0 to 10 ms later.
+TEST(TwoQuickPresses, AreAStartAndAStop) {
+  QuickPedal::Said pedal;
+  StudioOptions options = simulated();
+  options.pedal.list = [] { return std::vector<FoundHid>(); };
+  options.pedal.open = [&](const std::string&) -> Result<std::unique_ptr<HidPort>> {
+    return std::unique_ptr<HidPort>(std::make_unique<QuickPedal>(pedal));
+  };
+  Studio studio(options);
+  ASSERT_TRUE(studio.wait_for_picture());
+  studio.window().go_to("record");
+  studio.window().pedal().listen(LearntButton::parse(kButton).value());
+  auto* place = studio.window().findChild<RecordPage*>();
+  auto* record = studio.find<QPushButton>("Start recording");
+  const auto& recording = studio.session().status().recording;
+  int presses = 0;
+  QObject::connect(&studio.window().pedal(), &Pedal::pressed, [&] { ++presses; });
+  const int orders = is_thorough() ? 1000 : 100;  // a fifth of a second each
+  for (int order = 0; order < orders; ++order) {
+    const auto file = studio.folder() / fmt::format("p{}.mkv", order);
+    place->set_file(QString::fromStdString(file.string()));
+    const std::chrono::microseconds between(10000 * order / orders);
+    ASSERT_TRUE(wait_until([&] { return record->isEnabled(); }));
+    std::jthread foot([&] {
+      pedal.press();
+      std::this_thread::sleep_for(between);
+      pedal.press();
+    });
+    ASSERT_TRUE(wait_until([&] {
+      return presses == 2 * (order + 1) && recording.state == RecordingState::kDone &&
+             recording.file == file;
+    })) << presses
+        << " presses, the second after " << between.count() << " us; state "
+        << static_cast<int>(recording.state);
+    std::error_code ignored;
+    std::filesystem::remove(file, ignored);
   }
 }
 

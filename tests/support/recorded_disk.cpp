@@ -1,9 +1,15 @@
 #include "tests/support/recorded_disk.h"
 
+#include "core/finger/finger_store.h"
+#include "tests/support/temporary_folder.h"
+
+#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
+
+#include <gtest/gtest.h>
 
 namespace alltact::test {
 namespace {
@@ -18,6 +24,23 @@ std::string bytes_of(const fs::path& file) {
 std::string parent_of(const std::string& name) {
   const std::size_t slash = name.rfind('/');
   return slash == std::string::npos ? std::string() : name.substr(0, slash);
+}
+
+std::string names_of(const DiskModel::Files& files, const DiskModel::Files& before,
+                     const DiskModel::Files& after) {
+  std::string names;
+  for (const auto& [name, bytes] : files) {
+    const auto is_in = [&, n = name, b = bytes](const DiskModel::Files& others) {
+      const auto found = others.find(n);
+      return found != others.end() && found->second == b;
+    };
+    names += name +
+             (is_in(before)  ? is_in(after) ? " (both)" : " (old)"
+              : is_in(after) ? " (new)"
+                             : " (neither)") +
+             "\n";
+  }
+  return names;
 }
 
 }  // namespace
@@ -146,6 +169,40 @@ void lay_out(const DiskModel::Files& files, const fs::path& folder) {
     fs::create_directories((folder / name).parent_path());
     std::ofstream(folder / name, std::ios::binary) << bytes;
   }
+}
+
+void expect_old_or_new_after_cuts(DiskModel before, const std::vector<DiskOperation>& operations,
+                                  const fs::path& finger) {
+  DiskModel& disk = before;
+  const DiskModel::Files old_files = shown(disk.files(DiskModel::Lost::kNothing));
+  const DiskModel::Files new_files = files_in(finger);
+  ASSERT_NE(old_files, new_files);
+  const TemporaryFolder scratch;
+  std::set<DiskModel::Files> seen;
+  std::size_t old_ones = 0, new_ones = 0;
+  for (std::size_t done = 0; done <= operations.size(); ++done) {
+    if (done > 0) disk.apply(operations[done - 1]);
+    for (const DiskModel::Lost lost : kEveryLoss) {
+      const DiskModel::Files left = disk.files(lost);
+      if (!seen.insert(left).second) continue;
+      const fs::path folder = scratch / std::to_string(seen.size());
+      lay_out(left, folder);
+      const auto opened = open_finger(folder);
+      ASSERT_TRUE(opened) << opened.error().sentence() << " after " << done << " of "
+                          << operations.size();
+      const DiskModel::Files found = files_in(folder);
+      EXPECT_TRUE(found == old_files || found == new_files)
+          << "cut after " << done << " of " << operations.size() << ", "
+          << (done > 0 ? operations[done - 1].what + " " + operations[done - 1].path : "") << "\n"
+          << names_of(found, old_files, new_files);
+      old_ones += found == old_files, new_ones += found == new_files;
+      fs::remove_all(folder);
+    }
+  }
+  EXPECT_GT(old_ones, 0U);
+  EXPECT_GT(new_ones, 0U);
+  std::printf("[ figures  ] %zu operations, %zu states of the disk: %zu old, %zu new\n",
+              operations.size(), seen.size(), old_ones, new_ones);
 }
 
 }  // namespace alltact::test

@@ -1,6 +1,7 @@
 // What a program did to a disk, played again up to any moment, and what a power cut then leaves.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -55,5 +56,15 @@ class DiskModel {
 
 /// Makes a folder that holds these files and nothing else.
 void lay_out(const DiskModel::Files& files, const std::filesystem::path& folder);
+
+inline constexpr std::array kEveryLoss{DiskModel::Lost::kNothing, DiskModel::Lost::kBytes,
+                                       DiskModel::Lost::kNames, DiskModel::Lost::kBoth};
+
+/// Cuts the power after each operation, with each loss. What a program finds then, once it has
+/// opened the finger, is all old or all new; both occur.
+///   before: the finger's folder before the operations
+///   finger: the folder after them
+void expect_old_or_new_after_cuts(DiskModel before, const std::vector<DiskOperation>& operations,
+                                  const std::filesystem::path& finger);
 
 }  // namespace alltact::test
