@@ -5399,6 +5399,10 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Bild %1</translation>
     </message>
     <message>
+        <source>the source paper</source>
+        <translation>die Quellarbeit</translation>
+    </message>
+    <message>
         <source>the source paper&apos;s method</source>
         <translation>das Verfahren der Quellarbeit</translation>
     </message>

@@ -5360,6 +5360,10 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>第 %1 帧</translation>
     </message>
     <message>
+        <source>the source paper</source>
+        <translation>原论文</translation>
+    </message>
+    <message>
         <source>the source paper&apos;s method</source>
         <translation>原论文的方法</translation>
     </message>

@@ -37,10 +37,7 @@ class Screens : public testing::TestWithParam<Look> {
     EXPECT_EQ(image.size(), QSize(1280, 800) * ratio);
     const QWidget& window = studio.window();
     wait_until([&] { return cut_texts(window).empty() && overlaps(window).empty(); }, 1000);
-    // Known: the choice of a method beside an image, and the heads of the table, are cut.
-    if (name != "inspect_beside" && name != "inspect_difference" && !name.starts_with("accuracy")) {
-      EXPECT_THAT(cut_texts(window), testing::IsEmpty()) << name;
-    }
+    EXPECT_THAT(cut_texts(window), testing::IsEmpty()) << name;
     EXPECT_THAT(overlaps(window), testing::IsEmpty()) << name;
     EXPECT_THAT(blank_pictures(window), testing::IsEmpty()) << name;
   }

@@ -486,16 +486,38 @@ void AccuracyTable::sort_by(int column) {
   sort_->setCurrentIndex(column);
 }
 
+namespace {
+
+/// Size of a column's head with its words wrapped: as wide as its longest word, and at least as
+/// wide as most numbers.
+QSize wrapped_head(const QHeaderView& head, const QString& title) {
+  constexpr int kMinWidth_px = 110;
+  const QFontMetrics metrics = head.fontMetrics();
+  const int margins = 2 * (head.style()->pixelMetric(QStyle::PM_HeaderMargin, nullptr, &head) +
+                           head.style()->pixelMetric(QStyle::PM_HeaderMarkSize, nullptr, &head));
+  int width = kMinWidth_px - margins;
+  for (const QString& word : title.split(QLatin1Char(' ')))
+    width = std::max(width, metrics.horizontalAdvance(word));
+  const QRect text = metrics.boundingRect(QRect(0, 0, width, 1000), Qt::TextWordWrap, title);
+  return {width + margins, text.height() + metrics.height()};
+}
+
+}  // namespace
+
 void AccuracyTable::set_points(const std::vector<AccuracyPoint>& points) {
   is_picking_ = true;
   model_->set_points(points);
   view_->resizeColumnsToContents();
   view_->setColumnWidth(AccuracyModel::kSetting,
                         std::min(360, view_->columnWidth(AccuracyModel::kSetting)));
-  for (int i = AccuracyModel::kTime; i <= AccuracyModel::kPosition; ++i)
-    view_->setColumnWidth(i, 110);
   const int line = view_->fontMetrics().height();
-  view_->horizontalHeader()->setFixedHeight(3 * line);
+  int head_px = 0;
+  for (int i = AccuracyModel::kTime; i < AccuracyModel::kColumns; ++i) {
+    const QSize head = wrapped_head(*view_->horizontalHeader(), AccuracyModel::title(i));
+    view_->setColumnWidth(i, head.width());
+    head_px = std::max(head_px, head.height());
+  }
+  view_->horizontalHeader()->setFixedHeight(head_px);
   view_->verticalHeader()->setDefaultSectionSize(line + 8);
   is_picking_ = false;
 }

@@ -185,7 +185,7 @@ ViewBox::ViewBox(QWidget* parent)
     comparison_->setItemText(0, tr("no comparison"));
     comparison_->setItemText(1, tr("side by side"));
     comparison_->setItemText(2, tr("difference"));
-    with_->setItemText(0, tr("the source paper's method"));
+    with_->setItemText(0, tr("the source paper"));
     with_->setItemText(1, tr("another setting"));
     with_->setItemText(2, tr("another frame"));
     with_->setToolTip(
