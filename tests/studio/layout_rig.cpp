@@ -162,13 +162,22 @@ void add_tabs(const QTabBar& bar, std::vector<std::string>& found) {
       found.push_back(fmt::format("tab '{}' is cut", bar.tabText(i).toStdString()));
 }
 
+/// Whether a text with wrapped words has room in a head of this width and height.
+bool fits_wrapped(const QHeaderView& header, const QString& text, int width) {
+  const QFontMetrics metrics = header.fontMetrics();
+  const QRect needed = metrics.boundingRect(QRect(0, 0, width, 1000), Qt::TextWordWrap, text);
+  return needed.width() <= width && needed.height() <= header.height();
+}
+
 void add_heads(const QHeaderView& header, std::vector<std::string>& found) {
   if (header.orientation() != Qt::Horizontal || header.model() == nullptr) return;
   for (int i = 0; i < header.count(); ++i) {
     const QString text = header.model()->headerData(i, Qt::Horizontal).toString();
     const QString tip = header.model()->headerData(i, Qt::Horizontal, Qt::ToolTipRole).toString();
-    if (!header.isSectionHidden(i) && header.sectionSizeHint(i) > header.sectionSize(i) &&
-        tip.isEmpty())
+    const bool is_wrapped = header.defaultAlignment().testFlag(Qt::AlignmentFlag(Qt::TextWordWrap));
+    const bool is_cut = is_wrapped ? !fits_wrapped(header, text, header.sectionSize(i))
+                                   : header.sectionSizeHint(i) > header.sectionSize(i);
+    if (!header.isSectionHidden(i) && is_cut && tip.isEmpty())
       found.push_back(fmt::format("head '{}' of a column is cut", text.toStdString()));
   }
 }

@@ -447,6 +447,7 @@ AccuracyTable::AccuracyTable(QWidget* parent)
   view_->setWordWrap(false);
   view_->setSortingEnabled(true);
   view_->verticalHeader()->hide();
+  view_->horizontalHeader()->setStretchLastSection(true);
   view_->horizontalHeader()->setDefaultAlignment(Qt::Alignment(Qt::AlignLeft | Qt::AlignVCenter) |
                                                  Qt::Alignment(Qt::TextWordWrap));
   auto* column = new QVBoxLayout(this);
@@ -512,7 +513,7 @@ void AccuracyTable::set_points(const std::vector<AccuracyPoint>& points) {
                         std::min(360, view_->columnWidth(AccuracyModel::kSetting)));
   const int line = view_->fontMetrics().height();
   int head_px = 0;
-  for (int i = AccuracyModel::kTime; i < AccuracyModel::kColumns; ++i) {
+  for (int i = AccuracyModel::kTime; i <= AccuracyModel::kPosition; ++i) {
     const QSize head = wrapped_head(*view_->horizontalHeader(), AccuracyModel::title(i));
     view_->setColumnWidth(i, head.width());
     head_px = std::max(head_px, head.height());
