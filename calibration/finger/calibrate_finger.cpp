@@ -1,6 +1,7 @@
 #include "calibration/finger/calibrate_finger.h"
 
 #include "calibration/finger/calibrate_presses.h"
+#include "calibration/finger/calibration_file.h"
 #include "calibration/finger/calibration_report.h"
 #include "calibration/reference/reference_recording.h"
 #include "calibration/report/problem_image.h"
@@ -151,6 +152,7 @@ Status write(const CalibrationWork& work, FingerCalibration& done, const Job& jo
   sign_inputs(work, done);
   record(done);
   std::vector<ReportFile> files{{CalibrationInputs::kFileName, done.inputs.to_yaml()},
+                                {kCalibrationFile, calibration_yaml(done)},
                                 {kReportJson, calibration_report_json(done)}};
   bool has_pages = false;
   if (work.make_report && !job.stop_requested()) {

@@ -81,7 +81,7 @@ struct FingerCalibrationInput {
 
 /// Runs every press through the pipeline, calibrates, and writes into the finger's folder: the
 /// presses (presses/NAME.png), the flat sensor's reference, calibration_inputs.yaml,
-/// calibration_report.json, the files of make_report, and last finger.yaml. A press without a
+/// calibration.yaml, calibration_report.json, the files of make_report, and last finger.yaml. A press without a
 /// detected ball is left out with its reason; an unusable image fails the entire calibration.
 ///
 /// Errors: those of loading and of the first image that is unreadable or has another size; two
