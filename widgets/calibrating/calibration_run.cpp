@@ -335,7 +335,7 @@ void PressForecast::begin() {
   requested_ = present();
   work_.start([this, requested = requested_, inputs = run_.next_inputs(),
                finger = collection_.analyser()->finger()](const Job& job) {
-    std::vector<TakenPress> presses;
+    std::vector<MeasuredPress> presses;
     for (const auto& press : requested.measured) presses.push_back(*press);
     auto made = std::make_shared<Result<FingerCalibration>>(
         forecast_calibration(finger, std::move(presses), inputs, job));

@@ -126,7 +126,7 @@ class PressForecast : public QObject {
  private:
   /// All inputs of a forecast.
   struct Presses {
-    std::vector<std::shared_ptr<const TakenPress>> measured;
+    std::vector<std::shared_ptr<const MeasuredPress>> measured;
     PressSet press_set;
     bool operator==(const Presses&) const = default;
   };
