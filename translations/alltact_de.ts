@@ -2758,10 +2758,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Abbildung</translation>
     </message>
     <message>
-        <source>The presses are read again to show the result of each pixel.</source>
-        <translation>Die Eindrücke werden neu gelesen, um das Ergebnis jedes Pixels zu zeigen.</translation>
-    </message>
-    <message>
         <source>Result with these presses; not in use yet.</source>
         <translation>Ergebnis mit diesen Eindrücken; noch nicht in Gebrauch.</translation>
     </message>
@@ -12166,8 +12162,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>ihn mit Kugeleindrücken kalibrieren</translation>
     </message>
     <message>
-        <source>this is not the report of the finger&apos;s calibration</source>
-        <translation>dies ist nicht der Bericht der Kalibrierung dieses Fingers</translation>
+        <source>this is not the file of the finger&apos;s calibration</source>
+        <translation>dies ist nicht die Datei der Kalibrierung dieses Fingers</translation>
     </message>
     <message>
         <source>the column &apos;{}&apos; has no unit of force</source>

@@ -2745,10 +2745,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>映射</translation>
     </message>
     <message>
-        <source>The presses are read again to show the result of each pixel.</source>
-        <translation>正在重新读取按压，以显示每个像素的结果。</translation>
-    </message>
-    <message>
         <source>Result with these presses; not in use yet.</source>
         <translation>使用这些按压得出的结果；尚未启用。</translation>
     </message>
@@ -12121,8 +12117,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>用球按压标定它</translation>
     </message>
     <message>
-        <source>this is not the report of the finger&apos;s calibration</source>
-        <translation>这不是该手指标定的报告</translation>
+        <source>this is not the file of the finger&apos;s calibration</source>
+        <translation>这不是该手指标定的文件</translation>
     </message>
     <message>
         <source>the column &apos;{}&apos; has no unit of force</source>

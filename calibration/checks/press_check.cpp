@@ -1,12 +1,12 @@
 #include "calibration/checks/press_check.h"
 
+#include "calibration/finger/calibrate_presses.h"
 #include "calibration/finger/calibration_inputs.h"
 #include "calibration/finger/measuring_presets.h"
 #include "calibration/joint/joint_fit.h"
 #include "calibration/joint/step_press.h"
 #include "calibration/presses/press.h"
 #include "calibration/report/press_errors.h"
-#include "core/sensing/pipeline.h"
 
 #include <algorithm>
 #include <charconv>
@@ -120,7 +120,7 @@ Message in_a_row(const std::vector<Message>& sentences) {
 
 /// Adds the presses, and those left out, to `all`; sentences with a full stop have the form "{}.".
 /// Returns the names of all presses that were read.
-Result<std::set<std::string>> measure_all(const PressInput& presses, Pipeline& pipeline,
+Result<std::set<std::string>> measure_all(const PressInput& presses, PressMeter& meter,
                                           const Mapping& mapping, const PressSet& press_notes,
                                           const Job& job, PressCheck& all) {
   auto source = open_presses(presses);
@@ -132,22 +132,21 @@ Result<std::set<std::string>> measure_all(const PressInput& presses, Pipeline& p
     if (!frame) return frame.error();
     if (!*frame) break;
     names.insert((*frame)->name);
-    pipeline.forget();  // presses are independent
-    auto result = pipeline(*frame);
+    const auto result = meter(*frame, job);
     if (!result) return result.error();
-    if (!result->difference || !result->shape || result->reference->by_shape) {
-      all.left_out_names.push_back((*frame)->name);
+    const MeasuredPress& taken = **result;
+    if (!taken.press) {
+      all.left_out_names.push_back(taken.name);
       const Message no_face = en::say("no face was found");
-      all.left_out.push_back(refused((*frame)->name, result->problems.empty()
-                                                         ? en::say("{}.", no_face)
-                                                         : result->problems.front()));
+      all.left_out.push_back(refused(
+          taken.name, taken.left_out == no_face ? en::say("{}.", no_face) : taken.left_out));
       continue;
     }
-    const double light = result->difference->light.change();
-    Press press{(*frame)->name, std::move(*result->difference), std::move(*result->shape),
-                press_notes.radius_of((*frame)->name)};
-    const Face& face = pipeline.finger().face;
+    const double light = taken.sign.light_change;
+    Press press = *taken.press;
+    press.ball_radius_mm = press_notes.radius_of(press.name);
     press.step_mm = press_notes.of(press.name).step_mm;
+    const Face& face = meter.pipeline().finger().face;
     auto measured = press.step_mm ? measure_step(press, light, face, mapping)
                                   : measure(press, light, face, mapping, job);
     if (measured) {
@@ -177,7 +176,7 @@ double known_radius_mm(const Finger& finger) {
 }
 
 /// The presses of the calibration, measured like the new ones; empty where they are not saved.
-std::vector<CheckedPress> own_presses(const fs::path& folder, Pipeline& pipeline,
+std::vector<CheckedPress> own_presses(const fs::path& folder, PressMeter& meter,
                                       const Mapping& mapping, const Job& job) {
   const auto inputs = CalibrationInputs::load(folder);
   if (!inputs) return {};
@@ -190,7 +189,7 @@ std::vector<CheckedPress> own_presses(const fs::path& folder, Pipeline& pipeline
   }
   if (presses.files.empty()) return {};
   PressCheck own;
-  if (!measure_all(presses, pipeline, mapping, inputs->press_set, job, own)) return {};
+  if (!measure_all(presses, meter, mapping, inputs->press_set, job, own)) return {};
   return std::move(own.presses);
 }
 
@@ -289,12 +288,14 @@ Result<PressCheck> check_with_presses(const FingerSnapshot& snapshot, const Pres
   PressCheck check;
   check.ball_radius_mm = press_notes.ball_radius_mm;
   check.is_flat = finger.face.kind == FaceKind::kFlat;
+  const auto checksum = reference_checksum(snapshot.folder, finger);
   // Stops before the mapping: up to the brightness difference.
   auto pipeline = Pipeline::create(snapshot.without_mapping(),
                                    settings_for_presses(measuring_settings(snapshot.folder)), job);
   if (!pipeline) return pipeline.error();
+  PressMeter meter(std::move(pipeline).value(), checksum ? *checksum : std::string());
   job.report(0.3, en::say("measuring the presses"));
-  const auto names = measure_all(presses, *pipeline, *snapshot.mapping, press_notes, job, check);
+  const auto names = measure_all(presses, meter, *snapshot.mapping, press_notes, job, check);
   if (!names) return names.error();
   for (const auto& [name, note] : press_notes.notes)
     if (!names->contains(name))
@@ -308,7 +309,7 @@ Result<PressCheck> check_with_presses(const FingerSnapshot& snapshot, const Pres
         en::say("images of this finger with the ball pressed 0.3 mm or more into its face")};
   }
   job.report(0.6, en::say("measuring the presses of the calibration"));
-  const auto own = own_presses(snapshot.folder, *pipeline, *snapshot.mapping, job);
+  const auto own = own_presses(snapshot.folder, meter, *snapshot.mapping, job);
   if (job.stop_requested()) return stopped();
   judge(own, finger.mapping_record->held_out_mm, check);
   check.sentence = sentence_of(check);

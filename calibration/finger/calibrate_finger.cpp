@@ -1,6 +1,7 @@
 #include "calibration/finger/calibrate_finger.h"
 
 #include "calibration/finger/calibrate_presses.h"
+#include "calibration/finger/calibration_file.h"
 #include "calibration/finger/calibration_report.h"
 #include "calibration/reference/reference_recording.h"
 #include "calibration/report/problem_image.h"
@@ -26,7 +27,7 @@ constexpr std::size_t kMaxShown = 8;
 constexpr double kDarker = 0.02;  // of the untouched brightness: fainter marks are noise
 
 /// Why a press is not used; empty: it is, or a person excluded it.
-std::string reason_of(const TakenPress& press, const FingerCalibration& done) {
+std::string reason_of(const MeasuredPress& press, const FingerCalibration& done) {
   if (done.inputs.press_set.of(press.name).excluded) return {};
   if (!press.left_out.empty()) return press.name + ": " + press.left_out.english();
   for (const Message& message : done.calibration.left_out)
@@ -35,7 +36,7 @@ std::string reason_of(const TakenPress& press, const FingerCalibration& done) {
   return {};
 }
 
-cv::Mat image_of(const TakenPress& press, const std::string& words) {
+cv::Mat image_of(const MeasuredPress& press, const std::string& words) {
   ProblemScene scene;
   scene.grey = press.grey;
   scene.words = {words};
@@ -52,13 +53,13 @@ cv::Mat image_of(const TakenPress& press, const std::string& words) {
 /// is nothing to show.
 cv::Mat press_problem(const FingerCalibration& done, const std::string& refused) {
   std::vector<cv::Mat> images;
-  const auto add = [&](const TakenPress& press, const std::string& words) {
+  const auto add = [&](const MeasuredPress& press, const std::string& words) {
     if (images.size() < kMaxShown && !press.grey.empty()) images.push_back(image_of(press, words));
   };
-  for (const TakenPress& press : done.presses)
+  for (const MeasuredPress& press : done.presses)
     if (const std::string reason = reason_of(press, done); !reason.empty()) add(press, reason);
   if (images.empty() && !refused.empty())
-    for (const TakenPress& press : done.presses)
+    for (const MeasuredPress& press : done.presses)
       if (press.left_out.empty()) add(press, press.name + ": " + refused);
   cv::Mat stacked;
   if (!images.empty()) cv::vconcat(images, stacked);  // one camera: all are equally wide
@@ -93,8 +94,8 @@ void record(FingerCalibration& done) {
   finger.provenance["ball_radius_mm"] = fmt::format("{}", inputs.press_set.ball_radius_mm);
 }
 
-/// Records the settings of all recordings, and the reference.
-Status settle_finger(const CalibrationWork& work, FingerCalibration& done) {
+/// Records the settings of all recordings.
+void settle_finger(const CalibrationWork& work, FingerCalibration& done) {
   // The settings of earlier presses are obsolete, also for a new reference.
   [[maybe_unused]] const auto none =
       record_settings(SettingsMonitor(), RecordingKind::kPresses, done.finger);
@@ -105,17 +106,11 @@ Status settle_finger(const CalibrationWork& work, FingerCalibration& done) {
     SettingsMonitor settings;
     settings.add(frame);
     done.about_settings = record_settings(settings, RecordingKind::kReference, done.finger);
-    done.inputs.reference_checksum = image_checksum(work.untouched->grey);
-  } else {
-    auto checksum = reference_checksum(work.store->folder(), done.finger);
-    if (!checksum) return checksum.error();
-    done.inputs.reference_checksum = *checksum;
   }
   SettingsMonitor settings;
   for (const FramePtr& frame : work.frames) settings.add(*frame);
   const auto warnings = record_settings(settings, RecordingKind::kPresses, done.finger);
   done.about_settings.insert(done.about_settings.end(), warnings.begin(), warnings.end());
-  return {};
 }
 
 /// Checksums and version of everything else that the result depends on.
@@ -147,10 +142,11 @@ void sign_inputs(const CalibrationWork& work, FingerCalibration& done) {
 
 /// Writes all files at once: until then the finger is unchanged.
 Status write(const CalibrationWork& work, FingerCalibration& done, const Job& job) {
-  if (const Status status = settle_finger(work, done); !status) return status;
+  settle_finger(work, done);
   sign_inputs(work, done);
   record(done);
   std::vector<ReportFile> files{{CalibrationInputs::kFileName, done.inputs.to_yaml()},
+                                {kCalibrationFile, calibration_yaml(done)},
                                 {kReportJson, calibration_report_json(done)}};
   bool has_pages = false;
   if (work.make_report && !job.stop_requested()) {

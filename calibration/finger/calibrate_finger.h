@@ -23,20 +23,22 @@
 
 namespace alltact {
 
-/// A press image as it was used, or the reason why not.
-struct TakenPress {
+/// A press image as it was measured, or the reason why it is not used. Copies share the images,
+/// which nobody may write to.
+struct MeasuredPress {
   std::string name;
   cv::Mat grey;                ///< oriented
   std::optional<Press> press;  ///< empty: nothing could be measured in it
   Message left_out;            ///< why it is not used; empty: it is
   PressSign sign;
   std::optional<Reference> reference = std::nullopt;  ///< until it is solved: compared with this
+  std::optional<FaceShape> shape = std::nullopt;      ///< of a face where `press` is empty
 };
 
 struct FingerCalibration {
   Finger finger;  ///< as saved
   CalibrationInputs inputs;
-  std::vector<TakenPress> presses;  ///< all that were given, without their references
+  std::vector<MeasuredPress> presses;  ///< all that were given, without their references
   Calibration calibration;
   std::vector<PressResiduals> residuals;
   std::vector<ZoneError> zones;
@@ -81,8 +83,9 @@ struct FingerCalibrationInput {
 
 /// Runs every press through the pipeline, calibrates, and writes into the finger's folder: the
 /// presses (presses/NAME.png), the flat sensor's reference, calibration_inputs.yaml,
-/// calibration_report.json, the files of make_report, and last finger.yaml. A press without a
-/// detected ball is left out with its reason; an unusable image fails the entire calibration.
+/// calibration.yaml, calibration_report.json, the files of make_report, and last finger.yaml. A
+/// press without a detected ball is left out with its reason; an unusable image fails the entire
+/// calibration.
 ///
 /// Errors: those of loading and of the first image that is unreadable or has another size; two
 /// presses of one name; notes on a press that does not exist; no usable press; stopped. On an error

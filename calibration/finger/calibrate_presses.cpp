@@ -5,11 +5,13 @@
 #include "calibration/reference/contact_search.h"
 #include "calibration/report/press_errors.h"
 #include "calibration/verdict/verdict.h"
+#include "core/base/cache.h"
 #include "core/base/typed_number.h"
 #include "core/image/image_file.h"
 #include "core/sensing/pipeline.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -127,7 +129,7 @@ Status check_stored(const CalibrationWork& work, const Frame& frame, std::size_t
 }
 
 /// Ball, depth, step, exclusion.
-void apply_notes(const PressSet& press_set, TakenPress& press) {
+void apply_notes(const PressSet& press_set, MeasuredPress& press) {
   const PressNote& note = press_set.of(press.name);
   if (press.press) {
     press.press->ball_radius_mm = press_set.radius_of(press.name);
@@ -139,7 +141,7 @@ void apply_notes(const PressSet& press_set, TakenPress& press) {
     press.left_out = en::list({en::say("excluded"), Message::typed(*note.excluded)});
 }
 
-Status measure_presses(CalibrationWork& work, Pipeline& pipeline, FingerCalibration& done,
+Status measure_presses(CalibrationWork& work, PressMeter& meter, FingerCalibration& done,
                        const Job& job) {
   PressInput input = work.presses;
   input.frames_per_press = static_cast<std::size_t>(done.inputs.calibration.frames_per_press);
@@ -163,10 +165,9 @@ Status measure_presses(CalibrationWork& work, Pipeline& pipeline, FingerCalibrat
     if (count > 0)
       job.report(0.5 * static_cast<double>(names.size() - 1) / count,
                  en::say("reading {}", frame->name));
-    if (!done.inputs.is_continuous) pipeline.forget();
-    auto result = pipeline(frame);
-    if (!result) return result.error();
-    done.presses.push_back(press_of(frame->name, *result));
+    const auto measured = done.inputs.is_continuous ? meter.next(frame) : meter(frame, job);
+    if (!measured) return measured.error();
+    done.presses.push_back(**measured);
     apply_notes(done.inputs.press_set, done.presses.back());
     work.frames.push_back(frame);
   }
@@ -177,7 +178,7 @@ Status measure_presses(CalibrationWork& work, Pipeline& pipeline, FingerCalibrat
 /// Notes must name existing presses.
 Status check_names(const FingerCalibration& done) {
   std::set<std::string> names;
-  for (const TakenPress& press : done.presses) names.insert(press.name);
+  for (const MeasuredPress& press : done.presses) names.insert(press.name);
   for (const auto& [name, note] : done.inputs.press_set.notes)
     if (!names.contains(name))
       return Error{en::say("no press is named '{}'", name), "",
@@ -187,19 +188,67 @@ Status check_names(const FingerCalibration& done) {
 
 }  // namespace
 
-TakenPress press_of(const std::string& name, FrameResult& result) {
-  TakenPress press{name, result.grey, std::nullopt, "", {}};
+namespace {
+
+std::atomic<std::int64_t> measurements{0};
+
+/// Difference, face and reference are moved out of `result`.
+MeasuredPress press_of(const std::string& name, FrameResult& result) {
+  MeasuredPress press{name, result.grey, std::nullopt, "", {}};
   if (result.difference) press.sign.light_change = result.difference->light.change();
   if (result.reference) press.sign.known_pose = result.reference->known_pose;
   // A press with hidden markers is left out: its reference is less certain, and would degrade the
   // mapping.
-  if (result.difference && result.shape && !result.reference->by_shape)
+  if (result.difference && result.shape && !result.reference->by_shape) {
     press.press = Press{name, std::move(*result.difference), std::move(*result.shape)};
-  else
+  } else {
     press.left_out =
         result.problems.empty() ? en::say("no face was found") : result.problems.front();
+    press.shape = std::move(result.shape);
+  }
   press.reference = std::move(result.reference);
   return press;
+}
+
+/// All that a press depends on besides its frame. Empty: unknown.
+std::string key_of(const Pipeline& pipeline, const std::string& reference_checksum) {
+  if (reference_checksum.empty()) return {};
+  Finger finger;
+  finger.name = "-";
+  finger.camera = pipeline.finger().camera;
+  finger.face = pipeline.finger().face;
+  finger.markers = pipeline.finger().markers;
+  const auto yaml = finger.to_yaml();
+  if (!yaml) return {};
+  std::string key = reference_checksum + '\n' + *yaml;
+  for (const Setting<PipelineSettings>& setting : pipeline_settings())
+    key += fmt::format("{}: {}\n", setting.name, setting.get(pipeline.settings()));
+  return key;
+}
+
+}  // namespace
+
+std::int64_t press_measurements() { return measurements; }
+
+PressMeter::PressMeter(Pipeline pipeline, const std::string& reference_checksum)
+    : pipeline_(std::move(pipeline)), key_(key_of(pipeline_, reference_checksum)) {}
+
+PressMeter::Measured PressMeter::next(const FramePtr& frame) {
+  ++measurements;
+  auto result = pipeline_(frame);
+  if (!result) return result.error();
+  return std::make_shared<const MeasuredPress>(press_of(frame->name, *result));
+}
+
+PressMeter::Measured PressMeter::operator()(const FramePtr& frame, const Job& job) {
+  const auto measure = [&] {
+    pipeline_.forget();
+    return next(frame);
+  };
+  if (key_.empty()) return measure();
+  static SharedValues<MeasuredPress> shared;
+  return shared.get(fmt::format("{}\n{}\n{}", image_checksum(frame->grey), frame->name, key_), job,
+                    stopped(), measure);
 }
 
 Result<std::vector<Press>> take_presses_as_paper(const CalibrationWork& work,
@@ -212,9 +261,16 @@ Result<std::vector<Press>> take_presses_as_paper(const CalibrationWork& work,
 }
 
 Status take_presses(CalibrationWork& work, FingerCalibration& done, const Job& job) {
+  const auto checksum = work.untouched ? Result<std::string>(image_checksum(work.untouched->grey))
+                                       : reference_checksum(work.store->folder(), done.finger);
   auto pipeline = make_pipeline(work, done, job);
   if (!pipeline) return pipeline.error();
-  if (const Status status = measure_presses(work, *pipeline, done, job); !status) return status;
+  if (!checksum) return checksum.error();
+  done.inputs.reference_checksum = *checksum;
+  // The source paper's method measures other presses from the same images.
+  const bool is_paper = done.inputs.calibration.method == CalibrationMethod::kPaper;
+  PressMeter meter(std::move(pipeline).value(), is_paper ? std::string() : *checksum);
+  if (const Status status = measure_presses(work, meter, done, job); !status) return status;
   return check_names(done);
 }
 
@@ -237,9 +293,9 @@ void add_remarks(Calibration& calibration) {
 }
 
 /// Limits the number of the usable presses, spread evenly over them; 0: all.
-void leave_out_beyond(int max_count, std::vector<TakenPress>& presses) {
-  std::vector<TakenPress*> usable;
-  for (TakenPress& press : presses)
+void leave_out_beyond(int max_count, std::vector<MeasuredPress>& presses) {
+  std::vector<MeasuredPress*> usable;
+  for (MeasuredPress& press : presses)
     if (press.left_out.empty()) usable.push_back(&press);
   const auto limit = static_cast<std::size_t>(max_count);
   if (limit == 0 || usable.size() <= limit) return;
@@ -272,7 +328,7 @@ Status solve_presses(FingerCalibration& done, const MeasureAsPaper& as_paper, co
   leave_out_beyond(done.inputs.calibration.presses, done.presses);
   std::vector<Press> used;
   std::vector<Message> left_out;
-  for (const TakenPress& one : done.presses) {
+  for (const MeasuredPress& one : done.presses) {
     if (one.left_out.empty()) {
       used.push_back(*one.press);
     } else {
@@ -301,7 +357,7 @@ Status solve_presses(FingerCalibration& done, const MeasureAsPaper& as_paper, co
       static_cast<int>(done.calibration.left_out.size() +
                        static_cast<std::size_t>(
                            std::count_if(done.presses.begin(), done.presses.end(),
-                                         [](const TakenPress& press) { return !press.press; })));
+                                         [](const MeasuredPress& press) { return !press.press; })));
   if (!done.is_complete)
     done.calibration.remarks.push_back(
         en::say("stopped early: this is the best solution so far, without a report; calibrate "
@@ -316,15 +372,15 @@ Status solve_presses(FingerCalibration& done, const MeasureAsPaper& as_paper, co
   done.residuals = press_residuals(presses, done.finger.face, done.calibration);
   done.zones = zone_errors(done.residuals, done.calibration, done.finger.face.kind);
   std::vector<PressSign> signs;
-  for (const TakenPress& press : done.presses)
+  for (const MeasuredPress& press : done.presses)
     if (press.left_out.empty()) signs.push_back(press.sign);
   done.fault_signs = fault_signs(signs);
   std::vector<ComparedPress> compared;
-  for (const TakenPress& taken : done.presses)
+  for (const MeasuredPress& taken : done.presses)
     if (taken.left_out.empty() && !taken.press->step_mm)
       compared.push_back({&*taken.press, &*taken.reference});
   const ContactError pixel = contact_error(compared, done.residuals, done.calibration.mapping);
-  for (TakenPress& taken : done.presses) taken.reference.reset();
+  for (MeasuredPress& taken : done.presses) taken.reference.reset();
   done.pixel_mm = pixel.mean_mm;
   done.pixel_sd_mm = pixel.sd_without_mapping_mm;
   done.halo = measure_halo(presses, done.finger.face, done.calibration);
@@ -376,7 +432,7 @@ void add_press(Contradiction& to, const std::string& press, double mm) {
 Contradiction wider_than_ball(const FingerCalibration& done) {
   Contradiction wider;
   wider.kind = ContradictionKind::kContactWiderThanBall;
-  for (const TakenPress& taken : done.presses) {
+  for (const MeasuredPress& taken : done.presses) {
     if (!taken.press || taken.press->step_mm) continue;
     if (const auto& note = done.inputs.press_set.of(taken.name); note.excluded) continue;
     Press press = *taken.press;
@@ -416,7 +472,7 @@ Contradiction beyond_mapping(const FingerCalibration& done) {
   const auto mapping = Mapping::create(done.calibration.mapping);
   if (!mapping) return beyond;
   beyond.given_mm = mapping->depth_mm(mapping->x_max());
-  for (const TakenPress& taken : done.presses) {
+  for (const MeasuredPress& taken : done.presses) {
     const PressNote& note = done.inputs.press_set.of(taken.name);
     if (!note.depth || note.excluded || !taken.press) continue;
     ++beyond.of;
@@ -434,7 +490,7 @@ Contradiction width_against_camera(const FingerCalibration& done) {
   if (done.finger.face.kind != FaceKind::kFinRay) return width;
   double least = 0, most = std::numeric_limits<double>::max();
   std::vector<std::string> presses;
-  for (const TakenPress& taken : done.presses) {
+  for (const MeasuredPress& taken : done.presses) {
     if (!taken.press) continue;
     double nearest = std::numeric_limits<double>::max(), farthest = 0;
     for (const FaceColumn& column : taken.press->shape.columns()) {
@@ -461,7 +517,7 @@ Contradiction reference_contact(const FingerCalibration& done) {
   Contradiction contact;
   contact.kind = ContradictionKind::kReferenceContact;
   std::vector<std::pair<std::string, ReferenceSuspect>> spots;
-  for (const TakenPress& taken : done.presses) {
+  for (const MeasuredPress& taken : done.presses) {
     if (!taken.press || !taken.sign.known_pose) continue;
     ++contact.of;
     if (const auto spot = find_reference_suspect(taken.press->difference, taken.press->shape))
@@ -507,13 +563,13 @@ int side_of(const std::vector<ResidualSample>& samples) {
 }  // namespace
 
 Result<FingerCalibration> forecast_calibration(const Finger& finger,
-                                               std::vector<TakenPress> presses,
+                                               std::vector<MeasuredPress> presses,
                                                const CalibrationInputs& inputs, const Job& job) {
   FingerCalibration done;
   done.finger = finger;
   done.inputs = inputs;
   done.presses = std::move(presses);
-  for (TakenPress& press : done.presses) apply_notes(inputs.press_set, press);
+  for (MeasuredPress& press : done.presses) apply_notes(inputs.press_set, press);
   if (const Status solved = solve_presses(done, {}, job, {}); !solved) return solved.error();
   return done;
 }

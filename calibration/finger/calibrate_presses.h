@@ -5,10 +5,13 @@
 #include "calibration/reference/reference_recording.h"
 #include "calibration/verdict/verdict.h"
 #include "core/image/frame.h"
-#include "core/sensing/frame_result.h"
+#include "core/sensing/pipeline.h"
 
+#include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -27,12 +30,34 @@ struct CalibrationWork {
   std::vector<FramePtr> frames;  ///< one a press, in their stored form
 };
 
-/// A pipeline's measurement of a press, before its notes are applied; difference, face and
-/// reference are moved out of `result`.
-[[nodiscard]] TakenPress press_of(const std::string& name, FrameResult& result);
+/// Measures presses, before their notes are applied. One thread at a time.
+class PressMeter {
+ public:
+  using Measured = Result<std::shared_ptr<const MeasuredPress>>;
 
-/// Reads the images and runs them through the pipeline. `done` receives its presses, its bursts,
-/// and whether the source is continuous; `work` receives the frames. `done.finger` and
+  /// `pipeline`: of a finger without a mapping. `reference_checksum`: of its reference; empty:
+  /// unknown, and no press is shared.
+  PressMeter(Pipeline pipeline, const std::string& reference_checksum);
+
+  /// A press that is independent of others. The same name, image, camera, face, markers, reference
+  /// and settings are measured once: as long as anybody in this program holds that press, it is
+  /// returned again. Errors: those of Pipeline; stopped while another thread measures it.
+  [[nodiscard]] Measured operator()(const FramePtr& frame, const Job& job);
+  /// The next press of one video, whose markers are followed from press to press: never shared.
+  [[nodiscard]] Measured next(const FramePtr& frame);
+
+  [[nodiscard]] const Pipeline& pipeline() const { return pipeline_; }
+
+ private:
+  Pipeline pipeline_;
+  std::string key_;  ///< of all but the frame; empty: not shared
+};
+
+/// Measurements by all meters of this program: tests count them.
+[[nodiscard]] std::int64_t press_measurements();
+
+/// Reads the images and measures them. `done` receives its presses, its bursts, the reference's
+/// checksum, and whether the source is continuous; `work` receives the frames. `done.finger` and
 /// `done.inputs` are those of the calibration. Errors: those of loading; the first image that is
 /// unreadable, has another size or differs from the stored one; two presses of one name; notes on a
 /// press that does not exist; stopped.
@@ -69,10 +94,10 @@ using MeasureAsPaper = std::function<Result<std::vector<Press>>()>;
 // it. Nothing is written.
 
 /// The figures of calibrate_finger() with these presses, in the order of their names, if the
-/// pipeline's settings are the same. `presses`: as press_of() returns them. `inputs` holds the
+/// pipeline's settings are the same. `presses`: as PressMeter returns them. `inputs` holds the
 /// settings and the notes on the presses. Errors: those of solve_presses().
 [[nodiscard]] Result<FingerCalibration> forecast_calibration(const Finger& finger,
-                                                             std::vector<TakenPress> presses,
+                                                             std::vector<MeasuredPress> presses,
                                                              const CalibrationInputs& inputs,
                                                              const Job& job);
 

@@ -18,7 +18,7 @@ inline constexpr const char* kReportPdf = "calibration_report.pdf";
 
 /// The full content of the file: `format` alltact-calibration-report/1, lengths in mm. The same
 /// calibration gives the same bytes; the date is only in finger.yaml and the inputs. It also
-/// holds sentences by their templates, for recall_calibration().
+/// holds sentences by their templates. This program does not read it (calibration_file.h).
 [[nodiscard]] std::string calibration_report_json(const FingerCalibration& done);
 
 /// The command that repeats this calibration, for a shell in the folder above the finger's.
@@ -27,24 +27,6 @@ inline constexpr const char* kReportPdf = "calibration_report.pdf";
 /// The full command for calibrate_finger() with `input`, including reports, for any shell: paths
 /// are absolute.
 [[nodiscard]] std::string calibrate_command(const FingerCalibrationInput& input);
-
-// Reloads the result of a calibration from a finger's files, without solving.
-
-/// Fast, from finger.yaml, calibration_inputs.yaml and calibration_report.json: mapping, balls,
-/// verdict, sentences. Empty stay the results from the presses' images (presses, residuals, zones,
-/// fault_signs), the comparison with other methods and details of calibrate() (weakness,
-/// radius_sensitivity). A report of an earlier version has its sentences in English and no
-/// next_press. Errors: the finger is not calibrated; a file is missing or unreadable; the report
-/// belongs to another calibration than finger.yaml.
-[[nodiscard]] Result<FingerCalibration> recall_calibration(const std::filesystem::path& folder);
-
-/// The same with residuals, zones and fault_signs: every stored press is run through the pipeline
-/// again, some tenths of a second each. `presses` stays empty, so that no image is held in memory.
-/// Errors: those of reading the presses; an image in presses/ is missing or has changed since the
-/// calibration; the job was stopped.
-[[nodiscard]] Result<FingerCalibration> recall_residuals(const std::filesystem::path& folder,
-                                                         FingerCalibration recalled,
-                                                         const Job& job);
 
 // The evidence for a finger's verdict, from its folder as it is now.
 

@@ -32,10 +32,10 @@ TEST(Files, ACalibrationLeavesWhatTheDesignNames) {
   ASSERT_EQ(run.status, 0) << run.errors;
   EXPECT_THAT(
       names_in(flat.finger()),
-      testing::UnorderedElementsAre("calibration_inputs.yaml", "calibration_report.html",
-                                    "calibration_report.json", "calibration_report.pdf",
-                                    "finger.yaml", "presses/press_0.png", "presses/press_1.png",
-                                    "presses/press_2.png", "presses/press_3.png", "reference.png"));
+      testing::UnorderedElementsAre(
+          "calibration.yaml", "calibration_inputs.yaml", "calibration_report.html",
+          "calibration_report.json", "calibration_report.pdf", "finger.yaml", "presses/press_0.png",
+          "presses/press_1.png", "presses/press_2.png", "presses/press_3.png", "reference.png"));
   // All four presses lie in the middle.
   EXPECT_THAT(run.output, HasSubstr("Verdict: unproven"));
   EXPECT_THAT(run.output, HasSubstr("no press in these thirds: left, right; press once in each"));

@@ -1,4 +1,5 @@
 // Readers of what is written in YAML or JSON.
+#include "calibration/finger/calibration_file.h"
 #include "calibration/finger/calibration_inputs.h"
 #include "calibration/finger/measuring_presets.h"
 #include "calibration/force/collect_force.h"
@@ -81,6 +82,42 @@ Reading read_inputs(const std::string& bytes) {
     return same_again<CalibrationInputs>(written, CalibrationInputs::parse(written, "in.yaml"),
                                          [](const CalibrationInputs& i) { return i.to_yaml(); });
   });
+}
+
+FingerCalibration some_calibration() {
+  FingerCalibration done;
+  Calibration& calibration = done.calibration;
+  calibration.residual_mm = 0.004;
+  calibration.condition = 180.5;
+  calibration.degree_choice = en::say("solving");
+  calibration.left_out = {en::at(Message::typed("12"), en::say("no face was found"))};
+  calibration.remarks = {en::say("no press is named '{}'", "a\"b")};
+  calibration.next_press = PressAdvice{false, 8.5, -1.25, 0.5, 0.01, 0.008, en::say("done")};
+  calibration.steps = {{"step", 0.5, 0.49, 0.01}};
+  BallFit ball;
+  ball.press = "press_0";
+  ball.radius_mm = 3.975;
+  ball.centre_mm = {1.5, -2.25, 48.0625};
+  ball.centre_sd_mm = {0.01, 0.01, 0.02};
+  ball.depth_mm = 0.75;
+  ball.given_depth = GivenDepth{0.5, 0.02};
+  calibration.balls = {ball, ball};
+  calibration.balls[1].press = "12";
+  done.residuals = {{"press_0", 8.5, 0.25, 1.5, 40, 24, {}}};
+  done.residuals[0].samples = {{{120.5, 64.5}, 0.125, 0.25, -0.001, 8.5, 0.25, 0.5, 1}};
+  done.residuals[0].samples.push_back(done.residuals[0].samples.front());
+  done.fault_signs = {en::say("done")};
+  return done;
+}
+
+Reading read_calibration(const std::string& bytes) {
+  return reading_of(parse_calibration(bytes, "calibration.yaml"),
+                    [](const FingerCalibration& done) {
+                      const std::string written = calibration_yaml(done);
+                      return same_again<FingerCalibration>(
+                          written, parse_calibration(written, "calibration.yaml"),
+                          [](const FingerCalibration& again) { return calibration_yaml(again); });
+                    });
 }
 
 Reading read_notes(const std::string& bytes) {
@@ -240,6 +277,8 @@ std::vector<Reader> yaml_readers() {
          return reading_of(Scene::parse(bytes, "scene.yaml"), kNoLaw);
        }},
       {"calibration_inputs", [] { return std::vector{some_inputs().to_yaml()}; }, read_inputs},
+      {"calibration", [] { return std::vector{calibration_yaml(some_calibration())}; },
+       read_calibration},
       {"press_notes", [] { return std::vector{some_inputs().press_set.to_yaml()}; }, read_notes},
       {"measuring", measuring_seeds, read_measuring},
       {"gripper", texts({kGripper}), read_gripper},

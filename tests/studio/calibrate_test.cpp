@@ -269,7 +269,8 @@ TEST(Calibrate, TakingOutAPressShowsAsAChangeAndEverythingCanBeUndone) {
   EXPECT_EQ(rig.run().state(), CalibrationState::kCurrent);
   rig.collection().disk()->wait();
   auto back = contents(rig.finger());
-  for (const char* name : {"finger.yaml", "calibration_inputs.yaml", "calibration_report.json"})
+  for (const char* name :
+       {"finger.yaml", "calibration.yaml", "calibration_inputs.yaml", "calibration_report.json"})
     EXPECT_TRUE(back.at(name) == first.at(name)) << name;
   while (undo.canUndo()) undo.undo();
   rig.collection().disk()->wait();

@@ -2,6 +2,8 @@
 // keeps.
 #include "app/studio/header_bar.h"
 #include "calibration/checks/check_history.h"
+#include "calibration/finger/calibration_file.h"
+#include "calibration/finger/calibration_report.h"
 #include "core/base/atomic_file.h"
 #include "tests/studio/calibrate_rig.h"
 #include "widgets/plots/plot.h"
@@ -12,7 +14,6 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 namespace alltact::test {
 namespace {
@@ -67,6 +68,8 @@ CalibrateStudio* SecondDay::yesterday_ = nullptr;
 std::shared_ptr<const FingerCalibration> SecondDay::made_;
 
 TEST_F(SecondDay, ShowsEveryFigureAgainWithoutCalibrating) {
+  for (const char* report : {kReportJson, kReportHtml, kReportPdf})
+    std::filesystem::remove(rig_.finger() / report);
   rig_.open();
   ASSERT_TRUE(is_recalled());
   const FingerCalibration& now = *rig_.run().result();
@@ -89,7 +92,7 @@ TEST_F(SecondDay, ShowsEveryFigureAgainWithoutCalibrating) {
     ASSERT_EQ(now.residuals[i].samples.size(), made_->residuals[i].samples.size());
     for (std::size_t k = 0; k < now.residuals[i].samples.size(); ++k)
       EXPECT_NEAR(now.residuals[i].samples[k].residual_mm,
-                  made_->residuals[i].samples[k].residual_mm, 1e-9);
+                  made_->residuals[i].samples[k].residual_mm, 1e-6);
   }
   EXPECT_EQ(zone_sentence(now.zones), zone_sentence(made_->zones));
 }
@@ -216,30 +219,29 @@ TEST_F(SecondDay, KnowsTheVerdictBeforeThePressesAreRead) {
 TEST_F(SecondDay, SaysWhatHasChangedWhereItHas) {
   std::filesystem::remove(rig_.finger() / "presses" / "press_03.png");
   rig_.open();
-  ASSERT_TRUE(wait_until([&] { return rig_.run().recall_problem().has_value(); }, 60000));
-  EXPECT_EQ(rig_.run().state(), CalibrationState::kStale);
-  ASSERT_NE(rig_.run().result(), nullptr) << "the figures are known all the same";
+  ASSERT_TRUE(is_recalled()) << "the figures are known all the same";
+  ASSERT_TRUE(wait_until([&] { return rig_.run().state() == CalibrationState::kStale; }));
   EXPECT_EQ(rig_.run().result()->calibration.balls.size(), 6U);
 }
 
-TEST_F(SecondDay, AReportOfAnEarlierVersionIsReadAsFarAsItGoes) {
-  auto report =
-      nlohmann::ordered_json::parse(contents(rig_.finger()).at("calibration_report.json"));
-  ASSERT_EQ(report.erase("said"), 1U);
-  must(write_file_atomically(rig_.finger() / "calibration_report.json", report.dump(2)));
+TEST_F(SecondDay, AnEarlierVersionsFingerIsUsableAndItsFiguresComeWithTheNextCalibration) {
+  std::filesystem::remove(rig_.finger() / kCalibrationFile);
   rig_.open();
-  ASSERT_TRUE(is_recalled());
-  EXPECT_FALSE(rig_.run().result()->calibration.next_press.has_value());
-  ASSERT_EQ(rig_.run().result()->calibration.remarks.size(), made_->calibration.remarks.size());
-  EXPECT_EQ(rig_.run().result()->calibration.remarks.front().english(),
-            made_->calibration.remarks.front().english());
+  ASSERT_TRUE(wait_until([&] { return rig_.run().state() == CalibrationState::kCurrent; }));
+  EXPECT_EQ(rig_.run().result(), nullptr);
+  ASSERT_TRUE(rig_.run().finger());
+  EXPECT_TRUE(rig_.run().finger()->mapping.has_value());
+  for (const char* page : {"Mapping", "Verdict"}) {
+    rig_.go_to_step(page);
+    EXPECT_TRUE(says(rig_.studio(), "Calibrate again to show the figures.")) << page;
+  }
 }
 
-TEST_F(SecondDay, AReportOfAnotherCalibrationIsNotBelieved) {
-  auto report =
-      nlohmann::ordered_json::parse(contents(rig_.finger()).at("calibration_report.json"));
-  report["residual_mm"] = 0.5;
-  must(write_file_atomically(rig_.finger() / "calibration_report.json", report.dump(2)));
+TEST_F(SecondDay, AFileOfAnotherCalibrationIsNotBelieved) {
+  std::string yaml = contents(rig_.finger()).at(kCalibrationFile);
+  const auto at = yaml.find("residual_mm: ");
+  yaml.replace(at, yaml.find('\n', at) - at, "residual_mm: 0.5");
+  must(write_file_atomically(rig_.finger() / kCalibrationFile, yaml));
   rig_.open();
   ASSERT_TRUE(wait_until([&] { return rig_.run().state() == CalibrationState::kCurrent; }));
   QTest::qWait(300);

@@ -1,5 +1,6 @@
 #include "widgets/calibrating/calibration_run.h"
 
+#include "calibration/finger/calibration_file.h"
 #include "calibration/finger/calibration_report.h"
 #include "calibration/reference/reference_recording.h"
 #include "core/base/atomic_file.h"
@@ -19,8 +20,8 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Files that a calibration writes, besides the presses and finger.yaml.
-constexpr const char* kWritten[] = {CalibrationInputs::kFileName, kReportJson, kReportHtml,
-                                    kReportPdf};
+constexpr const char* kWritten[] = {CalibrationInputs::kFileName, kCalibrationFile, kReportJson,
+                                    kReportHtml, kReportPdf};
 
 std::map<std::string, std::optional<std::string>> read_written(const fs::path& folder) {
   std::map<std::string, std::optional<std::string>> files;
@@ -108,20 +109,14 @@ CalibrationRun::CalibrationRun(PressCollection& collection, QUndoStack& undo,
     has_report_ = !report_.problem();
     Q_EMIT changed();
   });
-  // Residuals are read last: the list of presses and the live image come first.
-  connect(&collection_, &PressCollection::changed, this, &CalibrationRun::recall_residuals_once);
-  connect(&recalling_, &BackgroundWork::finished, this, &CalibrationRun::recall_residuals_once);
 }
 
 void CalibrationRun::reload() {
   const fs::path folder = collection_.folder();
   if (folder != loaded_folder_) {
     report_.stop();
-    recalling_.stop();
     now_ = {};
     problem_.reset();
-    recall_problem_.reset();
-    lacks_residuals_ = false;
     loaded_folder_ = folder;
   }
   if (folder.empty()) return void(Q_EMIT changed());
@@ -135,44 +130,17 @@ void CalibrationRun::reload() {
     if (opened) worth = worth_of(*opened, utc_now());
     std::error_code failed;
     const bool has_report = fs::exists(folder / kReportHtml, failed);
-    std::shared_ptr<const FingerCalibration> recalled;
-    if (auto stored = recall_calibration(folder))
-      recalled = std::make_shared<const FingerCalibration>(std::move(*stored));
-    return std::function<void()>([this, folder, inputs, opened, worth, has_report, recalled] {
+    std::shared_ptr<const FingerCalibration> stored;
+    if (auto calibration = stored_calibration(folder))
+      stored = std::make_shared<const FingerCalibration>(std::move(*calibration));
+    return std::function<void()>([this, folder, inputs, opened, worth, has_report, stored] {
       if (folder != collection_.folder()) return reload();
       if (*inputs) now_.inputs = **inputs;
       if (opened) now_.finger = opened, now_.worth = worth;
-      if (recalled) adopt_recalled(recalled);
+      // The result of this session also holds the presses' images.
+      if (stored && !(now_.result && now_.result->inputs.to_yaml() == stored->inputs.to_yaml()))
+        now_.result = stored;
       if (!is_writing_report()) has_report_ = has_report;
-      Q_EMIT changed();
-    });
-  });
-}
-
-void CalibrationRun::adopt_recalled(const std::shared_ptr<const FingerCalibration>& recalled) {
-  if (now_.result && now_.result->inputs.to_yaml() == recalled->inputs.to_yaml()) return;
-  now_.result = recalled;
-  lacks_residuals_ = true;
-  recall_residuals_once();
-}
-
-void CalibrationRun::recall_residuals_once() {
-  if (!lacks_residuals_ || recalling_.is_running() || !collection_.is_ready() ||
-      collection_.is_analysing())
-    return;
-  lacks_residuals_ = false;
-  recall_problem_.reset();
-  recalling_.start([this, folder = collection_.folder(), bare = now_.result,
-                    disk = collection_.disk()](const Job& job) {
-    disk->wait();
-    auto complete =
-        std::make_shared<Result<FingerCalibration>>(recall_residuals(folder, *bare, job));
-    return std::function<void()>([this, bare, complete] {
-      if (now_.result != bare) return;  // calibrated again, or of another finger
-      if (*complete)
-        now_.result = std::make_shared<const FingerCalibration>(std::move(**complete));
-      else
-        recall_problem_ = complete->error();
       Q_EMIT changed();
     });
   });
@@ -229,9 +197,6 @@ CalibrationInputs CalibrationRun::next_inputs() const {
 void CalibrationRun::take(const Outcome& made) {
   now_ = made;
   problem_.reset();
-  recall_problem_.reset();
-  // The restored calibration may lack residuals.
-  lacks_residuals_ = now_.result && now_.result->residuals.empty() && now_.result->presses.empty();
 }
 
 void CalibrationRun::start() {
@@ -370,7 +335,7 @@ void PressForecast::begin() {
   requested_ = present();
   work_.start([this, requested = requested_, inputs = run_.next_inputs(),
                finger = collection_.analyser()->finger()](const Job& job) {
-    std::vector<TakenPress> presses;
+    std::vector<MeasuredPress> presses;
     for (const auto& press : requested.measured) presses.push_back(*press);
     auto made = std::make_shared<Result<FingerCalibration>>(
         forecast_calibration(finger, std::move(presses), inputs, job));

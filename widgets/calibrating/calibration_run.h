@@ -53,10 +53,6 @@ class CalibrationRun : public QObject {
   /// The finger as stored in its folder; null where there is none.
   [[nodiscard]] const FingerPtr& finger() const { return now_.finger; }
   [[nodiscard]] const std::optional<Error>& problem() const { return problem_; }
-  /// The presses of a stored calibration are being read again for the plots.
-  [[nodiscard]] bool is_recalling() const { return recalling_.is_running(); }
-  /// Why the presses could not be read again.
-  [[nodiscard]] const std::optional<Error>& recall_problem() const { return recall_problem_; }
   /// The equivalent terminal command: of the stored calibration where it is current, else of the
   /// next one.
   [[nodiscard]] QString command_line() const;
@@ -84,8 +80,6 @@ class CalibrationRun : public QObject {
   };
   [[nodiscard]] FingerCalibrationInput input_for(const PressSet& press_set) const;
   void take(const Outcome& made);
-  void adopt_recalled(const std::shared_ptr<const FingerCalibration>& recalled);
-  void recall_residuals_once();
   /// Writes `files` on the disk's thread; `replaced` receives those that were there.
   void restore(std::shared_ptr<Files> files, bool has_report, const Outcome& made,
                std::shared_ptr<Files> replaced);
@@ -94,13 +88,12 @@ class CalibrationRun : public QObject {
   QUndoStack& undo_;
   std::string version_;
   Outcome now_;
-  std::optional<Error> problem_, recall_problem_;
+  std::optional<Error> problem_;
   std::filesystem::path loaded_folder_;
-  bool lacks_residuals_ = false;  // its result was loaded, its presses were not read yet
   bool has_report_ = false;
   ReportWriter report_;
   std::shared_ptr<SharedRounds> rounds_;  ///< shared with the calibrating thread
-  BackgroundWork work_, loading_, recalling_;
+  BackgroundWork work_, loading_;
 };
 
 // Forecast of the calibration from the presses as they are now. Runs on a background thread while
@@ -133,7 +126,7 @@ class PressForecast : public QObject {
  private:
   /// All inputs of a forecast.
   struct Presses {
-    std::vector<std::shared_ptr<const TakenPress>> measured;
+    std::vector<std::shared_ptr<const MeasuredPress>> measured;
     PressSet press_set;
     bool operator==(const Presses&) const = default;
   };

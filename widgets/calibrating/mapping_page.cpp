@@ -159,8 +159,6 @@ void MappingPage::show_status() {
   show_progress();
   std::vector<Problem> problems;
   if (run_.problem() && !is_running) problems.push_back(Problem::of(*run_.problem()));
-  if (run_.recall_problem() && !is_running)
-    problems.push_back(Problem::of(*run_.recall_problem(), Meaning::kDoubtful));
   problems_->set_problems(std::move(problems));
   show_log();
   show_figures();
@@ -179,8 +177,6 @@ void MappingPage::show_progress() {
     progress = recalibration_reason(run_) + QLatin1Char(' ') + forecast_text(forecast_, run_);
   } else if (run_.state() == CalibrationState::kCurrent && !run_.result()) {
     progress = tr("This finger is calibrated. Calibrate again to show the figures.");
-  } else if (run_.is_recalling()) {
-    progress = tr("The presses are read again to show the result of each pixel.");
   } else if (run_.state() == CalibrationState::kNone) {
     progress = forecast_text(forecast_, run_);
   }

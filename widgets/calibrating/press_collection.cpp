@@ -361,25 +361,27 @@ Result<std::shared_ptr<PressAnalyser>> PressAnalyser::create(const std::filesyst
   const auto inputs = CalibrationInputs::load(folder);
   const PipelineSettings settings =
       settings_for_presses(inputs ? inputs->pipeline : PipelineSettings());
+  const auto checksum = reference_checksum(folder, (*finger)->finger);
   // A mapping would replace the brightness difference by depth.
   auto pipeline = Pipeline::create((*finger)->without_mapping(), settings, job);
   if (!pipeline) return pipeline.error();
-  return std::shared_ptr<PressAnalyser>(new PressAnalyser(std::move(*pipeline)));
+  return std::shared_ptr<PressAnalyser>(
+      new PressAnalyser(PressMeter(std::move(*pipeline), checksum ? *checksum : std::string())));
 }
 
 PressAnalysis PressAnalyser::operator()(const FramePtr& frame, double radius_mm) {
   PressAnalysis analysis;
-  pipeline_.forget();
-  auto result = pipeline_(frame);
+  const auto result = meter_(frame, Job());
   if (!result) {
     analysis.problem = result.error();
     return analysis;
   }
-  analysis.grey = result->grey;
-  auto measured = std::make_shared<TakenPress>(press_of(frame->name, *result));
+  const std::shared_ptr<const MeasuredPress>& measured = *result;
+  analysis.grey = measured->grey;
   analysis.measured = measured;
   if (!measured->press) {
-    if (result->shape) analysis.shape = std::make_shared<const FaceShape>(*result->shape);
+    if (measured->shape)
+      analysis.shape = std::shared_ptr<const FaceShape>(measured, &*measured->shape);
     analysis.problem = Error{measured->left_out, "", ""};
     return analysis;
   }
@@ -387,7 +389,7 @@ PressAnalysis PressAnalyser::operator()(const FramePtr& frame, double radius_mm)
   if (!(radius_mm > 0)) return analysis;
   Press press = *measured->press;
   press.ball_radius_mm = radius_mm;
-  const auto ball = find_ball(press, pipeline_.finger().face);
+  const auto ball = find_ball(press, finger().face);
   if (ball)
     analysis.found_mm = ball->centre_mm;
   else

@@ -7,7 +7,6 @@
 #include "core/base/job.h"
 #include "core/base/slow_disk.h"
 #include "core/finger/finger_store.h"
-#include "core/sensing/pipeline.h"
 #include "widgets/background_work.h"
 #include "widgets/shell/problem_list.h"
 #include "widgets/undo_step.h"
@@ -33,7 +32,7 @@ struct PressAnalysis {
   std::optional<Eigen::Vector3d> found_mm;  ///< the ball's centre, camera frame
   std::optional<Error> problem;             ///< why there is no ball
   /// Input of a calibration; null where the image is not usable.
-  std::shared_ptr<const TakenPress> measured;
+  std::shared_ptr<const MeasuredPress> measured;
 };
 
 /// Used by one thread at a time.
@@ -43,16 +42,16 @@ class PressAnalyser {
   static Result<std::shared_ptr<PressAnalyser>> create(const std::filesystem::path& folder,
                                                        const Job& job);
 
-  [[nodiscard]] const Camera& camera() const { return pipeline_.camera(); }
-  [[nodiscard]] const Finger& finger() const { return pipeline_.finger(); }
+  [[nodiscard]] const Camera& camera() const { return meter_.pipeline().camera(); }
+  [[nodiscard]] const Finger& finger() const { return meter_.pipeline().finger(); }
   [[nodiscard]] bool is_perspective() const { return camera().is_perspective(); }
 
   /// radius_mm: of the ball; 0: unknown, and no ball is searched for.
   [[nodiscard]] PressAnalysis operator()(const FramePtr& frame, double radius_mm);
 
  private:
-  explicit PressAnalyser(Pipeline pipeline) : pipeline_(std::move(pipeline)) {}
-  Pipeline pipeline_;
+  explicit PressAnalyser(PressMeter meter) : meter_(std::move(meter)) {}
+  PressMeter meter_;
 };
 
 struct CollectedPress {

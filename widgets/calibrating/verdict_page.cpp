@@ -2,6 +2,7 @@
 
 #include "calibration/checks/check_history.h"
 #include "widgets/calibrating/calibration_run.h"
+#include "widgets/calibrating/mapping_page.h"
 #include "widgets/language.h"
 #include "widgets/plots/custom_plot.h"
 #include "widgets/report/calibration_figures.h"
@@ -267,10 +268,12 @@ void VerdictPage::show_status() {
   if (run_.result() != shown_ || !shown_ || findings != shown_findings_) {
     shown_ = run_.result();
     shown_findings_ = findings;
-    zones_->setVisible(shown_ != nullptr);
-    if (shown_)
-      zones_->setText(
-          tr("By zone of the face: %1.").arg(in_window_language(zone_sentence(shown_->zones))));
+    // A finger that an earlier version calibrated has no figures in its folder.
+    zones_->setVisible(shown_ != nullptr || run_.state() != CalibrationState::kNone);
+    zones_->setText(
+        shown_
+            ? tr("By zone of the face: %1.").arg(in_window_language(zone_sentence(shown_->zones)))
+            : MappingPage::tr("This finger is calibrated. Calibrate again to show the figures."));
     show_next_press();
     show_remarks();
   }

@@ -621,8 +621,8 @@ QString ReportPages::punch_words(const StepFit& step) {
 void ReportPages::add_presses() {
   document_.new_page();
   document_.heading(text("The presses, worst first"));
-  std::map<std::string, const TakenPress*> taken;
-  for (const TakenPress& press : calibration_.presses) taken[press.name] = &press;
+  std::map<std::string, const MeasuredPress*> taken;
+  for (const MeasuredPress& press : calibration_.presses) taken[press.name] = &press;
   std::vector<const BallFit*> balls;
   for (const BallFit& ball : calibration_.calibration.balls) balls.push_back(&ball);
   const auto worst = [](const BallFit* ball) { return press_error_mm(*ball).value_or(0.0); };
@@ -674,7 +674,7 @@ void ReportPages::add_presses() {
 
 void ReportPages::add_left_out() {
   std::vector<Document::Row> rows;
-  for (const TakenPress& press : calibration_.presses) {
+  for (const MeasuredPress& press : calibration_.presses) {
     if (press.left_out.empty()) continue;
     rows.push_back(
         {{QString(), full_image(press.grey, QSize(kImageWidth, kImageWidth * 9 / 16) * kSharpness),
@@ -699,7 +699,7 @@ void ReportPages::add_left_out() {
 
 void ReportPages::add_light() {
   std::vector<PressLight> light;
-  for (const TakenPress& press : calibration_.presses)
+  for (const MeasuredPress& press : calibration_.presses)
     if (press.left_out.empty()) light.push_back({press.name, 100 * press.sign.light_change});
   document_.heading(text("Light"));
   PressLightPlot plot;

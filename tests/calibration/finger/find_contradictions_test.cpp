@@ -30,7 +30,7 @@ class Contradictions : public testing::Test {
     for (int i = 0; i < 6; ++i) {
       const Ball ball{150.0 + 20 * i, 140.0 + 5 * i, kTrueRadiusMm, 0.3 + 0.2 * i};
       const std::string name = fmt::format("press_{}", i);
-      TakenPress taken;
+      MeasuredPress taken;
       taken.name = name;
       taken.press = make_press(scene, {}, {}, {ball}, 1.0, random, name).press;
       done_.presses.push_back(std::move(taken));
@@ -39,7 +39,7 @@ class Contradictions : public testing::Test {
   }
 
   void say_radius(double radius_mm) {
-    for (TakenPress& taken : done_.presses) taken.press->ball_radius_mm = radius_mm;
+    for (MeasuredPress& taken : done_.presses) taken.press->ball_radius_mm = radius_mm;
   }
 
   FingerCalibration done_;
@@ -72,7 +72,7 @@ TEST_F(Contradictions, ABallThatIsNarrowerThanWhatItLeaves) {
 
 TEST_F(Contradictions, AnExcludedPressIsNoEvidence) {
   say_radius(2);
-  for (const TakenPress& taken : done_.presses) {
+  for (const MeasuredPress& taken : done_.presses) {
     PressNote note;
     note.excluded = "";
     done_.inputs.press_set.say(taken.name, note);
@@ -182,7 +182,7 @@ TEST_F(Contradictions, AWidthThatNoCameraInAFingerSees) {
     SCOPED_TRACE(width_mm);
     done_.finger.face.kind = FaceKind::kFinRay;
     done_.finger.face.width_mm = width_mm;
-    for (TakenPress& taken : done_.presses)
+    for (MeasuredPress& taken : done_.presses)
       taken.press->shape = straight_face(p, done_.finger.face, kSeenPx);
     const auto found = find_contradictions(done_);
     const auto width = std::find_if(found.begin(), found.end(), [](const Contradiction& one) {

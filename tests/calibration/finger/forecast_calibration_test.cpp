@@ -14,7 +14,7 @@ using testing::HasSubstr;
 
 struct Forecast {
   Finger finger;
-  std::vector<TakenPress> presses;
+  std::vector<MeasuredPress> presses;
   CalibrationInputs inputs;
   std::vector<Press> as_solved;
   std::vector<Eigen::Vector3d> centres_mm;
@@ -34,7 +34,7 @@ Forecast four_presses() {
     made.as_solved.push_back(one.press);
     made.as_solved.back().ball_radius_mm = 4.0;
     made.centres_mm.push_back(one.centre_mm);
-    TakenPress press;
+    MeasuredPress press;
     press.name = one.press.name;
     press.press = std::move(one.press);
     press.press->ball_radius_mm = 0;  // told by what is said
