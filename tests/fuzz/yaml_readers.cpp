@@ -91,7 +91,7 @@ FingerCalibration some_calibration() {
   calibration.condition = 180.5;
   calibration.degree_choice = en::say("solving");
   calibration.left_out = {en::at(Message::typed("12"), en::say("no face was found"))};
-  calibration.remarks = {en::say("no press is named '{}'", "a\"b")};
+  calibration.remarks = {en::say("no press is named '{}'", std::string("a\"b"))};
   calibration.next_press = PressAdvice{false, 8.5, -1.25, 0.5, 0.01, 0.008, en::say("done")};
   calibration.steps = {{"step", 0.5, 0.49, 0.01}};
   BallFit ball;
