@@ -68,7 +68,7 @@ TEST_F(CalibrationFile, HoldsAllFiguresAndNothingIsMeasuredForThem) {
     ASSERT_EQ(read.size(), made.size());
     ASSERT_GT(made.size(), 100U);
     for (std::size_t k = 0; k < made.size(); ++k) {
-      EXPECT_NEAR(read[k].residual_mm, made[k].residual_mm, 1e-6);
+      EXPECT_NEAR(read[k].residual_mm, made[k].residual_mm, 5e-6);
       EXPECT_NEAR(read[k].ball_depth_mm, made[k].ball_depth_mm, 1e-4);
       EXPECT_NEAR(read[k].pixel.x(), made[k].pixel.x(), 1e-2);
       EXPECT_NEAR(read[k].across_mm, made[k].across_mm, 1e-3);
