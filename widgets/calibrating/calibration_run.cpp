@@ -109,6 +109,8 @@ CalibrationRun::CalibrationRun(PressCollection& collection, QUndoStack& undo,
     has_report_ = !report_.problem();
     Q_EMIT changed();
   });
+  // What can be started depends on the presses.
+  connect(&collection_, &PressCollection::changed, this, &CalibrationRun::changed);
 }
 
 void CalibrationRun::reload() {

@@ -71,7 +71,6 @@ MappingPage::MappingPage(PressCollection& collection, CalibrationRun& run, Press
   connect(calibrate_, &QPushButton::clicked, &run_, &CalibrationRun::start);
   connect(stop_, &QPushButton::clicked, &run_, &CalibrationRun::stop);
   connect(&run_, &CalibrationRun::changed, this, &MappingPage::show_status);
-  connect(&collection_, &PressCollection::changed, this, &MappingPage::show_status);
   connect(&forecast_, &PressForecast::changed, this, [this] {
     show_progress();
     show_figures();
