@@ -51,8 +51,13 @@ TEST(StalledDisk, IsSaidInOneSentenceUntilItAnswers) {
     }
     QTest::qWait(20);
   }
+  // Whoever still waits for the pipe goes on: its other end is open, then closed.
+  const int other_end = ::open(file.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC);
+  ASSERT_GE(other_end, 0);
   fs::remove(file);
   ASSERT_TRUE(write_file_atomically(file, text).ok());
+  QTest::qWait(100);
+  ::close(other_end);
   EXPECT_TRUE(
       wait_until([&] { return studio.problems().find(sentence) == std::string::npos; }, 10000))
       << studio.problems();
