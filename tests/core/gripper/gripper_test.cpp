@@ -164,6 +164,13 @@ TEST(Gripper, AFingersOwnFileCanSayWhereItsCameraWas) {
 
 // ---- the file
 
+TEST(GripperFile, IsNamedWhereItIsMissing) {
+  const test::TemporaryFolder folder;
+  const auto gripper = Gripper::load(folder / "elsewhere.yaml");
+  ASSERT_FALSE(gripper);
+  EXPECT_THAT(gripper.error().sentence(), HasSubstr("elsewhere.yaml"));
+}
+
 TEST(GripperFile, IsTheSameBytesAfterReadingAndWriting) {
   std::string text = kGripper;
   EXPECT_EQ(*lab_gripper().to_yaml(), text);

@@ -53,6 +53,22 @@ std::uint32_t killed_recording(const fs::path& file, const char* codec,
   return count;
 }
 
+TEST(Journal, ARemarkReplacesAnIncompleteLastLine) {
+  const TemporaryFolder folder;
+  const fs::path file = folder / "video.journal";
+  std::ofstream(file) << "# a line\n0,17,3,\n1,5";
+  ASSERT_TRUE(remark_in_journal(file, "mended\nby hand").ok());
+  EXPECT_EQ(text_of(file), "# a line\n0,17,3,\n# mended by hand\n");
+}
+
+TEST(Journal, ARemarkNeedsAJournal) {
+  const TemporaryFolder folder;
+  const Status remarked = remark_in_journal(folder / "none.journal", "mended");
+  ASSERT_FALSE(remarked.ok());
+  EXPECT_THAT(remarked.error().sentence(), HasSubstr("none.journal"));
+  EXPECT_FALSE(fs::exists(folder / "none.journal"));
+}
+
 TEST(Recorder, KilledAtAnyMomentItLosesNoSecond) {
   const char* wanted = std::getenv("ALLTACT_KILLS");
   const int kills = wanted != nullptr ? std::atoi(wanted) : 9;
