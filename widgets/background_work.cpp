@@ -56,6 +56,7 @@ void BackgroundWork::start(Work work) {
   what_ = {};
   since_.start();
   timer_.start(kBetweenLooks_ms);
+  worker_.end_later();  // it may still free what its work held
   worker_ = Worker([shared = shared_, work = std::move(work)] {
     std::function<void()> at_end;
     if (const Status ran = guarded([&] { at_end = work(shared->job); }); !ran)

@@ -2,7 +2,7 @@
 #include "calibration/checks/press_check.h"
 #include "calibration/finger/calibration_file.h"
 #include "tests/support/finger_on_disk.h"
-#include "widgets/calibrating/calibration_run.h"
+#include "tests/widgets/calibrating/calibrate_in_window.h"
 
 #include <QTest>
 #include <QUndoStack>
@@ -31,19 +31,12 @@ TEST_F(MeasuredOnce, FromTheDeskToTheReport) {
       << (forecast.problem() ? forecast.problem()->sentence() : "");
   EXPECT_EQ(measured(), 3);
 
-  const auto calibrate = [&] {
-    const int steps = undo.count();
-    run.start();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !run.is_running() && undo.count() > steps; }, 120000))
-        << (run.problem() ? run.problem()->sentence() : "");
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !run.is_writing_report(); }, 120000));
-  };
-  ASSERT_NO_FATAL_FAILURE(calibrate());
+  ASSERT_NO_FATAL_FAILURE(calibrate_and_wait(run, undo));
   EXPECT_EQ(run.result()->calibration.balls.size(), 3U);
   EXPECT_EQ(run.result()->calibration.held_out_mm, forecast.baseline()->calibration.held_out_mm);
   EXPECT_EQ(measured(), 3);
   collection.set_radius(FlatSensor::kBallRadiusMm + 0.01);  // notes are not measured
-  ASSERT_NO_FATAL_FAILURE(calibrate());
+  ASSERT_NO_FATAL_FAILURE(calibrate_and_wait(run, undo));
   EXPECT_EQ(measured(), 3);
 
   collection.disk()->wait();

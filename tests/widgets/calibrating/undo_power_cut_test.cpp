@@ -5,7 +5,7 @@
 #include "tests/support/child_tests.h"
 #include "tests/support/finger_on_disk.h"
 #include "tests/support/recorded_disk.h"
-#include "widgets/calibrating/calibration_run.h"
+#include "tests/widgets/calibrating/calibrate_in_window.h"
 
 #include <QProcess>
 #include <QSignalSpy>
@@ -60,11 +60,8 @@ TEST_F(UndoPowerCut, WhileACalibrationIsUndoneAndRedone) {
   CalibrationRun run(collection, undo, "0.1.0");
   const auto written = [&] { return collection.disk()->wait(); };
   const auto calibrate = [&] {
-    const int steps = undo.count();
-    run.start();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !run.is_running() && undo.count() > steps; }, 120000))
-        << (run.problem() ? run.problem()->sentence() : "");
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !run.is_writing_report(); }, 120000));
+    calibrate_and_wait(run, undo);
+    if (HasFatalFailure()) return;
     written();
   };
   collection.open(finger());
