@@ -13,6 +13,7 @@ from dots import Dot
 from face import Face, Pose, RestShape
 from lamps import Lamps
 from layer import Layer, walk
+from pencils import ScatteringLayer
 from sensor import Sensor
 
 CLASSES = (
@@ -37,6 +38,7 @@ CLASSES = (
     "twisted-start",
     "short-recording",
     "degraded",
+    "scattering",
 )
 
 
@@ -91,6 +93,7 @@ class Finger:
     layer: Layer
     layer_facts: dict[str, float]
     spread_mm: float
+    scattering: ScatteringLayer | None  # None: light stays where it is, but for spread_mm
     lamps: Lamps
     backdrop: Backdrop
     vignetting: float
@@ -313,7 +316,7 @@ def _complete(
         frames = 60
     if kind == "short-recording":
         frames = int(rng.integers(14, 30))
-    return Finger(
+    finger = Finger(
         kind=kind,
         seed=seed,
         index=index,
@@ -323,6 +326,7 @@ def _complete(
         layer=layer,
         layer_facts={"scatter_per_mm": scatter, "absorb_over_scatter": ratio, "aside_mm": layer.aside_mm},
         spread_mm=float(spread),
+        scattering=None,
         lamps=_lamps(rng, camera, rest),
         backdrop=backdrop,
         vignetting=float(rng.uniform(0, 0.35)),
@@ -338,6 +342,30 @@ def _complete(
         ball_radius_mm=float(rng.uniform(2.2, 6.0)),
         mirrored=bool(rng.random() < 0.12),
     )
+    if kind != "scattering":
+        return finger
+    own = np.random.default_rng([seed, index, 5])
+    return replace(finger, spread_mm=0.0, scattering=_scattering(own, scatter, absorb, rest, finger.lamps))
+
+
+def _scattering(
+    rng: np.random.Generator, scatter: float, absorb: float, rest: RestShape, lamps: Lamps
+) -> ScatteringLayer:
+    """Sight from the camera and light from the lamps, at rest, at places along the middle of the face."""
+    s = np.linspace(0, rest.length_mm, 6)
+    face = Face(rest, Pose())
+    point, normal = face.point(s, np.zeros(6)), face.normal_at(s)
+    frames = np.stack([face.tangent_at(s), face.across_at(s), normal], axis=1)
+    light = np.zeros((6, 3))
+    for place, strength in zip(lamps.places_mm, lamps.strengths):
+        way = point - place
+        length = np.linalg.norm(way, axis=1, keepdims=True)
+        light += strength * np.maximum(np.sum(way * normal, axis=1, keepdims=True), 0) / length**4 * way
+    sights, lights = (
+        np.einsum("nij,nj->ni", frames, way / np.linalg.norm(way, axis=1, keepdims=True)) for way in (point, light)
+    )
+    lights[:, 2] = np.maximum(lights[:, 2], 0.1)
+    return ScatteringLayer(rng, scatter, absorb, rest.layer_mm, s, sights, lights)
 
 
 def _drift(rng: np.random.Generator, kind: str) -> float:

@@ -17,6 +17,7 @@ from face import Face, Pose, RestShape
 from finger import CLASSES, draw_finger
 from layer import Layer, walk
 from mirror import mirrored_camera
+from pencils import CELL_MM, Pencil
 from render import Renderer
 
 REST = RestShape((-20.0, 30.0), 70.0, 0.5, 0.002, 1e-5, 0.001, 1.0, 1.0, 1.3, 0.5, 20.0, 1.5)
@@ -117,6 +118,62 @@ class LayerTest(unittest.TestCase):
         self.assertTrue(np.all(np.diff(bright) > 0))
         self.assertAlmostEqual(float(layer.relative(np.array(1.5))), 1.0, places=6)
         self.assertLess(layer.misfit, 0.01)
+
+
+class PencilTest(unittest.TestCase):
+    @staticmethod
+    def direction(cosine: float) -> np.ndarray:
+        return np.array([np.sqrt(1 - cosine**2), 0.0, cosine])
+
+    def test_half_space_looks_as_chandrasekhar_says(self) -> None:
+        # Isotropic scattering of albedo w, light at cosine l, seen at s: w l / (l + s) H(l) H(s), H by iteration.
+        albedo = 0.9
+        mu, weight = np.polynomial.legendre.leggauss(64)
+        mu, weight = 0.5 * (mu + 1), 0.5 * weight
+        h = np.ones(64)
+        for _ in range(300):
+            h = 1 / (np.sqrt(1 - albedo) + 0.5 * albedo * ((mu / (mu + mu[:, None])) * (h * weight)).sum(axis=1))
+        at = lambda m: 1 / (np.sqrt(1 - albedo) + 0.5 * albedo * (mu / (mu + m) * h * weight).sum())  # noqa: E731
+        for sight, light in ((1.0, 1.0), (0.5, 0.9), (0.9, 0.4)):
+            pencil = Pencil.walk(
+                np.random.default_rng(7), albedo, 1 - albedo, self.direction(sight), self.direction(light), 200.0, 60_000
+            )
+            wanted = albedo * light / (light + sight) * at(light) * at(sight)
+            self.assertAlmostEqual(pencil.even(200.0) / wanted, 1.0, delta=0.03)
+
+    def test_thin_layer_scatters_once(self) -> None:
+        # All that comes back was scattered once: a sum over the depth of that.
+        sight, thick = self.direction(0.6), 0.01
+        pencil = Pencil.walk(np.random.default_rng(8), 1.0, 0.0, sight, self.direction(0.8), thick, 60_000)
+        slant = 1 / 0.6 + 1 / 0.8
+        once = (1 - np.exp(-thick * slant)) / slant / 0.6
+        self.assertAlmostEqual(pencil.even(thick) / once, 1.0, delta=0.06)
+
+    def test_a_small_dent_is_seen_where_sight_meets_it_and_around(self) -> None:
+        thick, sight = 1.5, self.direction(0.8)
+        pencil = Pencil.walk(np.random.default_rng(9), 0.8, 0.01, sight, self.direction(0.9), 2.0, 3000)
+        layer = np.full((121, 121), thick)
+        np.testing.assert_allclose(pencil.over(layer), pencil.even(thick), rtol=1e-4)
+        layer[58:63, 58:63] -= 0.3
+        lost = 1 - pencil.over(layer) / pencil.even(thick)
+        row, column = np.unravel_index(np.argmax(lost), lost.shape)
+        aside = (thick - 0.3) * 0.75 / CELL_MM  # tangent of the sight's angle
+        self.assertAlmostEqual(float(row), 60, delta=3)
+        self.assertAlmostEqual(float(column), 60 - aside, delta=4)
+        far = np.hypot(*(np.indices(lost.shape) - np.array([row, column])[:, None, None])) * CELL_MM
+        skirt = float(lost[far > 0.5].sum() / lost.sum())
+        self.assertTrue(0.25 < skirt < 0.75, skirt)
+
+    def test_light_is_lost_beside_the_face(self) -> None:
+        pencil = Pencil.walk(
+            np.random.default_rng(9), 1.0, 0.01, self.direction(1.0), self.direction(0.9), 2.0, 3000
+        )
+        layer = np.full((80, 5), 1.5)
+        layer[:20] = 0
+        across = pencil.over(layer)[:, 2] / pencil.even(1.5)
+        self.assertEqual(float(across[:20].max()), 0.0)
+        self.assertTrue(0.4 < across[20] < 0.8, across[20])
+        self.assertGreater(float(across[60]), 0.98)
 
 
 class ContactTest(unittest.TestCase):

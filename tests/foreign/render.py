@@ -10,8 +10,9 @@ import numpy as np
 
 from contact import Body, Dent, blurred, cubic_weights
 from dots import Dot, draw_dot
-from face import Face, Pose
+from face import Face, Pose, RestShape
 from finger import Blemish, Finger
+from pencils import CELL_MM
 
 KNOTS_ALONG = 90
 REGION_MM = 0.1
@@ -48,6 +49,7 @@ class Renderer:
         u = (np.arange(camera.width_px) - camera.centre_px[0]) / camera.width_px
         v = (np.arange(camera.height_px) - camera.centre_px[1]) / camera.width_px
         radius = u[None, :] ** 2 + v[:, None] ** 2
+        self._edges: tuple[np.ndarray, np.ndarray, np.ndarray] | None = None
         self._lens = (1 - finger.vignetting * radius / radius.max()).astype(np.float32)
 
     def _full(self, knots: np.ndarray) -> np.ndarray:
@@ -72,7 +74,7 @@ class Renderer:
         s, w, grey = self._full(s_knots), self._full(np.clip(w_knots, -4 * half, 4 * half)), self._full(on_face_light)
         per_px = _mm_per_px(s)
         cover = _cover(half - np.abs(w), _mm_per_px(w)) * _cover(s, per_px) * _cover(rest.length_mm - s, per_px)
-        face_grey = grey
+        face_grey = grey * self._borders(s, w) if finger.scattering else grey
         for blemish in finger.blemishes:
             _blemish(face_grey, s, w, blemish)
         depth = np.zeros_like(s) if with_truth else None
@@ -119,7 +121,7 @@ class Renderer:
         here &= dent.reaches(point[..., 0], point[..., 1])
         thick = np.full(here.shape, rest.layer_mm)
         thick[here] = dent.thickness_at(s[window][here], w[window][here])
-        share = finger.layer.relative(thick)
+        share = self._scattered(s[window], w[window], dent) if finger.scattering else finger.layer.relative(thick)
         mm_per_px_v = float(np.median(np.abs(np.gradient(w[window], axis=0)))) if len(rows) > 1 else 0.1
         mm_per_px_u = float(np.median(np.abs(np.gradient(s[window], axis=1)))) if len(columns) > 1 else 0.1
         spread = finger.spread_mm
@@ -128,6 +130,31 @@ class Renderer:
             part = np.zeros(here.shape)
             part[here] = dent.depth_at(point[here][:, 0], point[here][:, 1])
             depth[window] += part
+
+    def _borders(self, s: np.ndarray, w: np.ndarray) -> np.ndarray:
+        """What scattered light loses beside the face's borders, as a share of an endless layer's."""
+        rest, scattering = self.finger.rest, self.finger.scattering
+        assert scattering is not None
+        if self._edges is None:
+            along, across = _grid(-0.2, rest.length_mm + 0.2), _grid(-rest.width_mm / 2 - 0.2, rest.width_mm / 2 + 0.2)
+            thick = np.full((len(across), len(along)), rest.layer_mm)
+            self._edges = along, across, scattering.relative(along, _framed(thick, along, across, rest))
+        return _looked_up(*self._edges, s, w)
+
+    def _scattered(self, s: np.ndarray, w: np.ndarray, dent: Dent) -> np.ndarray:
+        """Brightness of the pressed face over the untouched one."""
+        rest, scattering = self.finger.rest, self.finger.scattering
+        assert scattering is not None
+        along, across = _grid(s.min() - 1, s.max() + 1), _grid(w.min() - 1, w.max() + 1)
+        s_grid, w_grid = np.meshgrid(along, across)
+        thick = np.full(s_grid.shape, rest.layer_mm)
+        untouched = _framed(thick, along, across, rest)
+        point = dent.face.point(s_grid, w_grid)
+        here = dent.reaches(point[..., 0], point[..., 1])
+        thick[here] = dent.thickness_at(s_grid[here], w_grid[here])
+        pressed = _framed(thick, along, across, rest)
+        before = np.maximum(scattering.relative(along, untouched), 1e-3)
+        return _looked_up(along, across, scattering.relative(along, pressed) / before, s, w)
 
     def _truth(
         self,
@@ -189,6 +216,27 @@ def _regions(
 
 def _is_inside(finger: Finger, place: np.ndarray) -> bool:
     return bool(2 < place[0] < finger.camera.width_px - 3 and 2 < place[1] < finger.camera.height_px - 3)
+
+
+def _grid(low: float, high: float) -> np.ndarray:
+    return np.arange(np.floor(low / CELL_MM), np.ceil(high / CELL_MM) + 1) * CELL_MM
+
+
+def _framed(thick: np.ndarray, along: np.ndarray, across: np.ndarray, rest: RestShape) -> np.ndarray:
+    """No layer beyond the borders: light is lost there."""
+    on_face = (np.abs(across) <= rest.width_mm / 2)[:, None] & ((along >= 0) & (along <= rest.length_mm))[None, :]
+    return np.where(on_face, thick, 0.0)
+
+
+def _looked_up(along: np.ndarray, across: np.ndarray, table: np.ndarray, s: np.ndarray, w: np.ndarray) -> np.ndarray:
+    column, row = (s - along[0]) / CELL_MM, (w - across[0]) / CELL_MM
+    return cv2.remap(
+        table.astype(np.float32),
+        column.astype(np.float32),
+        row.astype(np.float32),
+        cv2.INTER_LINEAR,
+        borderMode=cv2.BORDER_REPLICATE,
+    )
 
 
 def _knots(count: int, every: int) -> np.ndarray:
