@@ -5621,107 +5621,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <comment>an error</comment>
         <translation>schlecht</translation>
     </message>
-    <message>
-        <source>every pixel</source>
-        <translation>jedes Pixel</translation>
-    </message>
-    <message>
-        <source>half the pixels per side</source>
-        <translation>halb so viele Pixel je Seite</translation>
-    </message>
-    <message>
-        <source>a quarter of the pixels per side</source>
-        <translation>ein Viertel der Pixel je Seite</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n image(s) averaged</source>
-        <translation>
-            <numerusform>%n Bild gemittelt</numerusform>
-            <numerusform>%n Bilder gemittelt</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>reference from %n image(s)</source>
-        <translation>
-            <numerusform>Referenz aus %n Bild</numerusform>
-            <numerusform>Referenz aus %n Bildern</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>integer-pixel edges</source>
-        <translation>Kanten auf ganze Pixel</translation>
-    </message>
-    <message>
-        <source>subpixel edges</source>
-        <translation>Kanten subpixelgenau</translation>
-    </message>
-    <message numerus="yes">
-        <source>edges from %n column(s)</source>
-        <translation>
-            <numerusform>Kanten aus %n Spalte</numerusform>
-            <numerusform>Kanten aus %n Spalten</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>edge curve of degree %1</source>
-        <translation>Kantenkurve vom Grad %1</translation>
-    </message>
-    <message>
-        <source>markers as two sorted rows</source>
-        <translation>Marken als zwei sortierte Reihen</translation>
-    </message>
-    <message>
-        <source>markers found by a network</source>
-        <translation>Marken von einem Netz gefunden</translation>
-    </message>
-    <message>
-        <source>markers tracked as spots</source>
-        <translation>Marken als Flecken verfolgt</translation>
-    </message>
-    <message>
-        <source>compared with the image at rest</source>
-        <translation>verglichen mit dem Bild in Ruhe</translation>
-    </message>
-    <message>
-        <source>compared with the nearest image</source>
-        <translation>verglichen mit dem ähnlichsten Bild</translation>
-    </message>
-    <message>
-        <source>compared with several images</source>
-        <translation>verglichen mit mehreren Bildern</translation>
-    </message>
-    <message>
-        <source>light as recorded</source>
-        <translation>Licht wie in der Aufnahme</translation>
-    </message>
-    <message>
-        <source>light corrected</source>
-        <translation>Licht korrigiert</translation>
-    </message>
-    <message>
-        <source>no smoothing</source>
-        <translation>ohne Glättung</translation>
-    </message>
-    <message>
-        <source>smoothing of %1 px</source>
-        <translation>Glättung von %1 px</translation>
-    </message>
-    <message>
-        <source>lens assumed distortion-free</source>
-        <translation>Objektiv als verzeichnungsfrei angenommen</translation>
-    </message>
-    <message>
-        <source>lens corrected at every point</source>
-        <translation>Objektiv an jedem Punkt korrigiert</translation>
-    </message>
-    <message>
-        <source>parallel rays through the layer</source>
-        <translation>parallele Strahlen durch die Schicht</translation>
-    </message>
-    <message>
-        <source>exact rays through the layer</source>
-        <translation>genaue Strahlen durch die Schicht</translation>
-    </message>
 </context>
 <context>
     <name>alltact::en</name>
@@ -10166,6 +10065,10 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>es in dem Programm schließen, das es erzeugt hat</translation>
     </message>
     <message>
+        <source>marker network {}</source>
+        <translation>Netz für Marken: {}</translation>
+    </message>
+    <message>
         <source>which untouched image a frame is compared with: the one of the finger at rest, the nearest recorded one, or one computed from several near ones</source>
         <translation>mit welchem unberührten Bild ein Bild verglichen wird: dem des Fingers in Ruhe, dem nächsten aufgenommenen oder einem aus mehreren nahen berechneten</translation>
     </message>
@@ -11594,12 +11497,28 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>die Datei neu kopieren oder exportieren</translation>
     </message>
     <message>
+        <source>subpixel edges</source>
+        <translation>Kanten subpixelgenau</translation>
+    </message>
+    <message>
+        <source>integer-pixel edges</source>
+        <translation>Kanten auf ganze Pixel</translation>
+    </message>
+    <message>
         <source>&apos;crossing&apos; measures the finger&apos;s bend, and so press positions, several times more accurately</source>
         <translation>&apos;crossing&apos; misst die Biegung des Fingers, und damit die Position eines Eindrucks, um ein Mehrfaches genauer</translation>
     </message>
     <message>
         <source>&apos;crossing&apos; takes a little longer</source>
         <translation>&apos;crossing&apos; dauert etwas länger</translation>
+    </message>
+    <message numerus="yes">
+        <source>edges from {} columns</source>
+        <comment>edges from {} column</comment>
+        <translation>
+            <numerusform>Kanten aus {} Spalte</numerusform>
+            <numerusform>Kanten aus {} Spalten</numerusform>
+        </translation>
     </message>
     <message>
         <source>more reduce the noise of dark images; beyond 16 a bent finger&apos;s edge is no longer straight within them</source>
@@ -11608,6 +11527,10 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>fewer make more positions, to each of which the curve must be fitted</source>
         <translation>weniger ergeben mehr Positionen, an die jeweils die Kurve angepasst werden muss</translation>
+    </message>
+    <message>
+        <source>edge curve of degree {}</source>
+        <translation>Kantenkurve vom Grad {}</translation>
     </message>
     <message>
         <source>higher follows sharper bends; too high follows noise where the edge is hidden</source>
@@ -11622,6 +11545,18 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>wie die gravierten Punkte gefunden und nummeriert werden: Flecken, verfolgt nach der Bewegung des Fingers, die zwei sortierten Reihen der Veröffentlichung oder ein neuronales Faltungsnetz in jedem Bild</translation>
     </message>
     <message>
+        <source>markers tracked as spots</source>
+        <translation>Marken als Flecken verfolgt</translation>
+    </message>
+    <message>
+        <source>markers as two sorted rows</source>
+        <translation>Marken als zwei sortierte Reihen</translation>
+    </message>
+    <message>
+        <source>markers found by a network</source>
+        <translation>Marken von einem Netz gefunden</translation>
+    </message>
+    <message>
         <source>&apos;network&apos; finds more dots that are worn, dark or badly lit; &apos;paper&apos; loses its numbers where dots are hidden</source>
         <translation>&apos;network&apos; findet mehr Punkte, die abgenutzt, dunkel oder schlecht beleuchtet sind; &apos;paper&apos; verliert seine Nummern, wo Punkte verdeckt sind</translation>
     </message>
@@ -11634,6 +11569,18 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>das neuronale Netz für marker-method network, und für paper, wo eines genannt ist: eine ONNX-Datei, auch ein Detektor wie YOLO11</translation>
     </message>
     <message>
+        <source>compared with the image at rest</source>
+        <translation>verglichen mit dem Bild in Ruhe</translation>
+    </message>
+    <message>
+        <source>compared with the nearest image</source>
+        <translation>verglichen mit dem ähnlichsten Bild</translation>
+    </message>
+    <message>
+        <source>compared with several images</source>
+        <translation>verglichen mit mehreren Bildern</translation>
+    </message>
+    <message>
         <source>&apos;local&apos; measures depth of a bent finger correctly between the recorded poses; &apos;single&apos; only at rest</source>
         <translation>&apos;local&apos; misst die Tiefe eines gebogenen Fingers zwischen den aufgenommenen Haltungen richtig; &apos;single&apos; nur in Ruhe</translation>
     </message>
@@ -11642,12 +11589,28 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>&apos;local&apos; summiert mehrere Bilder statt eines</translation>
     </message>
     <message>
+        <source>light corrected</source>
+        <translation>Licht korrigiert</translation>
+    </message>
+    <message>
+        <source>light as recorded</source>
+        <translation>Licht wie in der Aufnahme</translation>
+    </message>
+    <message>
         <source>&apos;corrected&apos; corrects depth when the room or the lamp changes</source>
         <translation>&apos;corrected&apos; korrigiert die Tiefe, wenn sich der Raum oder die Lampe ändert</translation>
     </message>
     <message>
         <source>&apos;corrected&apos; analyses the untouched skin once</source>
         <translation>&apos;corrected&apos; wertet die unberührte Haut einmal aus</translation>
+    </message>
+    <message>
+        <source>no smoothing</source>
+        <translation>ohne Glättung</translation>
+    </message>
+    <message>
+        <source>smoothing of {:g} px</source>
+        <translation>Glättung von {} px</translation>
     </message>
     <message>
         <source>more reduces the noise of a smooth contact and rounds off edges and threads</source>
@@ -12378,6 +12341,18 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Pixel, mit denen ein Bild gemessen wird: alle, oder Mittelwerte aus je 2 mal 2 oder 4 mal 4; Ergebnisse in Pixeln beziehen sich dann auf dieses Bild</translation>
     </message>
     <message>
+        <source>every pixel</source>
+        <translation>jedes Pixel</translation>
+    </message>
+    <message>
+        <source>half the pixels per side</source>
+        <translation>halb so viele Pixel je Seite</translation>
+    </message>
+    <message>
+        <source>a quarter of the pixels per side</source>
+        <translation>ein Viertel der Pixel je Seite</translation>
+    </message>
+    <message>
         <source>&apos;whole&apos; detects small contacts and steep edges, and numbers small dots</source>
         <translation>&apos;whole&apos; erkennt kleine Kontakte und steile Kanten und nummeriert kleine Punkte</translation>
     </message>
@@ -12389,6 +12364,14 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>images of one source whose running mean is measured; 1: each by itself. A moving finger then appears at its average position, and blurred</source>
         <translation>Bilder einer Quelle, deren gleitendes Mittel gemessen wird; 1: jedes für sich. Ein bewegter Finger erscheint dann an seiner mittleren Position, und unscharf</translation>
     </message>
+    <message numerus="yes">
+        <source>{} images averaged</source>
+        <comment>{} image averaged</comment>
+        <translation>
+            <numerusform>{} Bild gemittelt</numerusform>
+            <numerusform>{} Bilder gemittelt</numerusform>
+        </translation>
+    </message>
     <message>
         <source>more reduce the noise of a finger that holds still, by their square root</source>
         <translation>mehr verringern das Rauschen eines stillgehaltenen Fingers, um die Wurzel ihrer Zahl</translation>
@@ -12396,6 +12379,14 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>more delay the results, by half their number; adding them up takes a little time</source>
         <translation>mehr verzögern die Ergebnisse, um die Hälfte ihrer Zahl; das Summieren kostet ein wenig Zeit</translation>
+    </message>
+    <message>
+        <source>depth on the full face</source>
+        <translation>Tiefe auf der ganzen Fläche</translation>
+    </message>
+    <message>
+        <source>depth from {:g} to {:g} mm along the face</source>
+        <translation>Tiefe von {} bis {} mm längs der Fläche</translation>
     </message>
     <message>
         <source>&apos;all&apos; misses no contact</source>
@@ -12408,6 +12399,14 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>recorded images from which reference-method local computes the reference</source>
         <translation>aufgenommene Bilder, aus denen reference-method local die Referenz berechnet</translation>
+    </message>
+    <message numerus="yes">
+        <source>reference from {} images</source>
+        <comment>reference from {} image</comment>
+        <translation>
+            <numerusform>Referenz aus {} Bild</numerusform>
+            <numerusform>Referenz aus {} Bildern</numerusform>
+        </translation>
     </message>
     <message>
         <source>more leave less noise in the reference; too many reach too far from the pose</source>
@@ -12642,6 +12641,10 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>höchste Zahl verwendeter Eindrücke, gleichmäßig über die gegebenen verteilt; 0: alle</translation>
     </message>
     <message>
+        <source>all presses</source>
+        <translation>alle Eindrücke</translation>
+    </message>
+    <message>
         <source>more support the curve at more depths and positions; ten well spread are typical</source>
         <translation>mehr stützen die Kurve bei mehr Tiefen und an mehr Positionen; zehn gut verteilte sind typisch</translation>
     </message>
@@ -12693,9 +12696,13 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
             <numerusform>{} Eindrücke</numerusform>
         </translation>
     </message>
-    <message>
+    <message numerus="yes">
         <source>{} images each</source>
-        <translation>je {} Bilder</translation>
+        <comment>{} image each</comment>
+        <translation>
+            <numerusform>je {} Bild</numerusform>
+            <numerusform>je {} Bilder</numerusform>
+        </translation>
     </message>
     <message>
         <source>method {}</source>
@@ -12830,6 +12837,14 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>ob die Verzeichnung des Objektivs aus jedem Punkt herausgerechnet oder das Objektiv als verzeichnungsfrei angenommen wird</translation>
     </message>
     <message>
+        <source>lens corrected at every point</source>
+        <translation>Objektiv an jedem Punkt korrigiert</translation>
+    </message>
+    <message>
+        <source>lens assumed distortion-free</source>
+        <translation>Objektiv als verzeichnungsfrei angenommen</translation>
+    </message>
+    <message>
         <source>&apos;exact&apos; measures shape and positions correctly up to the image&apos;s corners</source>
         <translation>&apos;exact&apos; misst Form und Positionen bis in die Ecken des Bildes richtig</translation>
     </message>
@@ -12842,6 +12857,14 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>wie eine entlang ihrer Normalen eingedrückte Schicht in z umgerechnet wird: dort nachgeschlagen, wohin die Normale führt, oder am selben Pixel, als wären alle Strahlen parallel</translation>
     </message>
     <message>
+        <source>exact rays through the layer</source>
+        <translation>genaue Strahlen durch die Schicht</translation>
+    </message>
+    <message>
+        <source>parallel rays through the layer</source>
+        <translation>parallele Strahlen durch die Schicht</translation>
+    </message>
+    <message>
         <source>&apos;exact&apos; measures a contact on a sloping face at its true position and depth; &apos;parallel&apos; up to a layer&apos;s thickness off</source>
         <translation>&apos;exact&apos; misst einen Kontakt auf einer schrägen Fläche an seiner wahren Position und Tiefe; &apos;parallel&apos; bis zu einer Schichtdicke daneben</translation>
     </message>
@@ -12850,8 +12873,16 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>&apos;exact&apos; schlägt jedes Pixel eines Kontakts noch einmal nach</translation>
     </message>
     <message>
+        <source>contact from {:g} mm of depth</source>
+        <translation>Kontakt ab {} mm Tiefe</translation>
+    </message>
+    <message>
         <source>pixels from one vertex to the next in surfaces that are saved or shown in 3D; 1: every pixel</source>
         <translation>Pixel von einem Eckpunkt zum nächsten in Flächen, die gespeichert oder in 3D gezeigt werden; 1: jedes Pixel</translation>
+    </message>
+    <message>
+        <source>a vertex every {} px</source>
+        <translation>ein Eckpunkt alle {} px</translation>
     </message>
     <message>
         <source>1 preserves every measured edge</source>

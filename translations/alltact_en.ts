@@ -298,30 +298,6 @@
     </message>
 </context>
 <context>
-    <name>alltact::VerdictText</name>
-    <message numerus="yes">
-        <source>%n image(s) averaged</source>
-        <translation>
-            <numerusform>%n image averaged</numerusform>
-            <numerusform>%n images averaged</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>reference from %n image(s)</source>
-        <translation>
-            <numerusform>reference from %n image</numerusform>
-            <numerusform>reference from %n images</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>edges from %n column(s)</source>
-        <translation>
-            <numerusform>edges from %n column</numerusform>
-            <numerusform>edges from %n columns</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
     <name>alltact::StatusLine</name>
     <message numerus="yes">
         <source>%n frame(s) lost</source>
@@ -483,6 +459,38 @@
         <translation>
             <numerusform>all presses are at {0} position, {1} are needed; press at others</numerusform>
             <numerusform>all presses are at {0} positions, {1} are needed; press at others</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{} images averaged</source>
+        <comment>{} image averaged</comment>
+        <translation>
+            <numerusform>{} image averaged</numerusform>
+            <numerusform>{} images averaged</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>edges from {} columns</source>
+        <comment>edges from {} column</comment>
+        <translation>
+            <numerusform>edges from {} column</numerusform>
+            <numerusform>edges from {} columns</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>reference from {} images</source>
+        <comment>reference from {} image</comment>
+        <translation>
+            <numerusform>reference from {} image</numerusform>
+            <numerusform>reference from {} images</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{} images each</source>
+        <comment>{} image each</comment>
+        <translation>
+            <numerusform>{} image each</numerusform>
+            <numerusform>{} images each</numerusform>
         </translation>
     </message>
 </context>

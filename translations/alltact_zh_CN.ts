@@ -5582,104 +5582,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <comment>an error</comment>
         <translation>差</translation>
     </message>
-    <message>
-        <source>every pixel</source>
-        <translation>全部像素</translation>
-    </message>
-    <message>
-        <source>half the pixels per side</source>
-        <translation>每边一半像素</translation>
-    </message>
-    <message>
-        <source>a quarter of the pixels per side</source>
-        <translation>每边四分之一像素</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n image(s) averaged</source>
-        <translation>
-            <numerusform>%n 张图像取平均</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>reference from %n image(s)</source>
-        <translation>
-            <numerusform>参考取自 %n 张图像</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>integer-pixel edges</source>
-        <translation>边缘取整像素</translation>
-    </message>
-    <message>
-        <source>subpixel edges</source>
-        <translation>边缘取亚像素</translation>
-    </message>
-    <message numerus="yes">
-        <source>edges from %n column(s)</source>
-        <translation>
-            <numerusform>边缘取自 %n 列</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>edge curve of degree %1</source>
-        <translation>边缘曲线为 %1 次</translation>
-    </message>
-    <message>
-        <source>markers as two sorted rows</source>
-        <translation>标记点按两行排序</translation>
-    </message>
-    <message>
-        <source>markers found by a network</source>
-        <translation>标记点由网络查找</translation>
-    </message>
-    <message>
-        <source>markers tracked as spots</source>
-        <translation>标记点按斑点跟踪</translation>
-    </message>
-    <message>
-        <source>compared with the image at rest</source>
-        <translation>与静止时的图像比较</translation>
-    </message>
-    <message>
-        <source>compared with the nearest image</source>
-        <translation>与最接近的图像比较</translation>
-    </message>
-    <message>
-        <source>compared with several images</source>
-        <translation>与多张图像比较</translation>
-    </message>
-    <message>
-        <source>light as recorded</source>
-        <translation>光照与录像相同</translation>
-    </message>
-    <message>
-        <source>light corrected</source>
-        <translation>光照已校正</translation>
-    </message>
-    <message>
-        <source>no smoothing</source>
-        <translation>不平滑</translation>
-    </message>
-    <message>
-        <source>smoothing of %1 px</source>
-        <translation>平滑 %1 px</translation>
-    </message>
-    <message>
-        <source>lens assumed distortion-free</source>
-        <translation>将镜头视为无畸变</translation>
-    </message>
-    <message>
-        <source>lens corrected at every point</source>
-        <translation>逐点校正镜头</translation>
-    </message>
-    <message>
-        <source>parallel rays through the layer</source>
-        <translation>穿过层的平行光线</translation>
-    </message>
-    <message>
-        <source>exact rays through the layer</source>
-        <translation>穿过层的精确光线</translation>
-    </message>
 </context>
 <context>
     <name>alltact::en</name>
@@ -10121,6 +10023,10 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>在生成它的程序中补好孔洞</translation>
     </message>
     <message>
+        <source>marker network {}</source>
+        <translation>标记点网络 {}</translation>
+    </message>
+    <message>
         <source>which untouched image a frame is compared with: the one of the finger at rest, the nearest recorded one, or one computed from several near ones</source>
         <translation>一帧与哪张未触碰的图像比较：手指静止时的图像、最近的录制图像，或由最近几张算出的图像</translation>
     </message>
@@ -11549,12 +11455,27 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>重新复制或导出该文件</translation>
     </message>
     <message>
+        <source>subpixel edges</source>
+        <translation>边缘取亚像素</translation>
+    </message>
+    <message>
+        <source>integer-pixel edges</source>
+        <translation>边缘取整像素</translation>
+    </message>
+    <message>
         <source>&apos;crossing&apos; measures the finger&apos;s bend, and so press positions, several times more accurately</source>
         <translation>&apos;crossing&apos; 得出的手指弯曲以及由此得出的按压位置要精确数倍</translation>
     </message>
     <message>
         <source>&apos;crossing&apos; takes a little longer</source>
         <translation>&apos;crossing&apos; 用时稍长</translation>
+    </message>
+    <message numerus="yes">
+        <source>edges from {} columns</source>
+        <comment>edges from {} column</comment>
+        <translation>
+            <numerusform>边缘取自 {} 列</numerusform>
+        </translation>
     </message>
     <message>
         <source>more reduce the noise of dark images; beyond 16 a bent finger&apos;s edge is no longer straight within them</source>
@@ -11563,6 +11484,10 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>fewer make more positions, to each of which the curve must be fitted</source>
         <translation>越少则位置越多，曲线须对每个位置进行拟合</translation>
+    </message>
+    <message>
+        <source>edge curve of degree {}</source>
+        <translation>边缘曲线为 {} 次</translation>
     </message>
     <message>
         <source>higher follows sharper bends; too high follows noise where the edge is hidden</source>
@@ -11577,6 +11502,18 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>如何找到刻出的标记点并编号：按手指的运动跟踪斑点、原论文的两排排序，或在每一帧中使用卷积神经网络</translation>
     </message>
     <message>
+        <source>markers tracked as spots</source>
+        <translation>标记点按斑点跟踪</translation>
+    </message>
+    <message>
+        <source>markers as two sorted rows</source>
+        <translation>标记点按两行排序</translation>
+    </message>
+    <message>
+        <source>markers found by a network</source>
+        <translation>标记点由网络查找</translation>
+    </message>
+    <message>
         <source>&apos;network&apos; finds more dots that are worn, dark or badly lit; &apos;paper&apos; loses its numbers where dots are hidden</source>
         <translation>&apos;network&apos; 能找到更多磨损、暗淡或光照不良的标记点；&apos;paper&apos; 在标记点被遮住处会丢失编号</translation>
     </message>
@@ -11589,6 +11526,18 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>marker-method network 使用的神经网络，指定时 paper 也使用：一个 ONNX 文件，也可以是 YOLO11 之类的检测器</translation>
     </message>
     <message>
+        <source>compared with the image at rest</source>
+        <translation>与静止时的图像比较</translation>
+    </message>
+    <message>
+        <source>compared with the nearest image</source>
+        <translation>与最接近的图像比较</translation>
+    </message>
+    <message>
+        <source>compared with several images</source>
+        <translation>与多张图像比较</translation>
+    </message>
+    <message>
         <source>&apos;local&apos; measures depth of a bent finger correctly between the recorded poses; &apos;single&apos; only at rest</source>
         <translation>&apos;local&apos; 能正确测量弯曲手指在已录制姿态之间的深度；&apos;single&apos; 只在静止时正确</translation>
     </message>
@@ -11597,12 +11546,28 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>&apos;local&apos; 要累加多张图像，而不是一张</translation>
     </message>
     <message>
+        <source>light corrected</source>
+        <translation>光照已校正</translation>
+    </message>
+    <message>
+        <source>light as recorded</source>
+        <translation>光照与录像相同</translation>
+    </message>
+    <message>
         <source>&apos;corrected&apos; corrects depth when the room or the lamp changes</source>
         <translation>&apos;corrected&apos; 在房间或灯光变化时校正深度</translation>
     </message>
     <message>
         <source>&apos;corrected&apos; analyses the untouched skin once</source>
         <translation>&apos;corrected&apos; 要对未触碰的表皮分析一遍</translation>
+    </message>
+    <message>
+        <source>no smoothing</source>
+        <translation>不平滑</translation>
+    </message>
+    <message>
+        <source>smoothing of {:g} px</source>
+        <translation>平滑 {} px</translation>
     </message>
     <message>
         <source>more reduces the noise of a smooth contact and rounds off edges and threads</source>
@@ -12333,6 +12298,18 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>测量图像所用的像素：全部，或每 2×2 或 4×4 个的平均；以像素计的结果则以该图像为准</translation>
     </message>
     <message>
+        <source>every pixel</source>
+        <translation>全部像素</translation>
+    </message>
+    <message>
+        <source>half the pixels per side</source>
+        <translation>每边一半像素</translation>
+    </message>
+    <message>
+        <source>a quarter of the pixels per side</source>
+        <translation>每边四分之一像素</translation>
+    </message>
+    <message>
         <source>&apos;whole&apos; detects small contacts and steep edges, and numbers small dots</source>
         <translation>&apos;whole&apos; 能识别小的接触和陡的边缘，并能给小的标记点编号</translation>
     </message>
@@ -12344,6 +12321,13 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>images of one source whose running mean is measured; 1: each by itself. A moving finger then appears at its average position, and blurred</source>
         <translation>取滑动平均后再测量的同一来源的图像数；1：逐张测量。运动中的手指则显示在其平均位置上，而且模糊</translation>
     </message>
+    <message numerus="yes">
+        <source>{} images averaged</source>
+        <comment>{} image averaged</comment>
+        <translation>
+            <numerusform>{} 张图像取平均</numerusform>
+        </translation>
+    </message>
     <message>
         <source>more reduce the noise of a finger that holds still, by their square root</source>
         <translation>越多，静止手指的噪声越小，按数目的平方根降低</translation>
@@ -12351,6 +12335,14 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>more delay the results, by half their number; adding them up takes a little time</source>
         <translation>越多，手指的结果越滞后，滞后为其数目的一半；累加要花少许时间</translation>
+    </message>
+    <message>
+        <source>depth on the full face</source>
+        <translation>整个接触面的深度</translation>
+    </message>
+    <message>
+        <source>depth from {:g} to {:g} mm along the face</source>
+        <translation>接触面上 {} 到 {} mm 的深度</translation>
     </message>
     <message>
         <source>&apos;all&apos; misses no contact</source>
@@ -12363,6 +12355,13 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>recorded images from which reference-method local computes the reference</source>
         <translation>reference-method local 计算参考所用的录制图像数</translation>
+    </message>
+    <message numerus="yes">
+        <source>reference from {} images</source>
+        <comment>reference from {} image</comment>
+        <translation>
+            <numerusform>参考取自 {} 张图像</numerusform>
+        </translation>
     </message>
     <message>
         <source>more leave less noise in the reference; too many reach too far from the pose</source>
@@ -12597,6 +12596,10 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>最多使用的按压次数，在所给按压中均匀选取；0：全部</translation>
     </message>
     <message>
+        <source>all presses</source>
+        <translation>所有按压</translation>
+    </message>
+    <message>
         <source>more support the curve at more depths and positions; ten well spread are typical</source>
         <translation>越多，曲线就在越多的深度和位置上有依据；通常用十次分布良好的按压</translation>
     </message>
@@ -12647,9 +12650,12 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
             <numerusform>{} 次按压</numerusform>
         </translation>
     </message>
-    <message>
+    <message numerus="yes">
         <source>{} images each</source>
-        <translation>每次 {} 张图像</translation>
+        <comment>{} image each</comment>
+        <translation>
+            <numerusform>每次 {} 张图像</numerusform>
+        </translation>
     </message>
     <message>
         <source>method {}</source>
@@ -12782,6 +12788,14 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>是否从每个点中消除镜头的畸变，或将镜头视为无畸变</translation>
     </message>
     <message>
+        <source>lens corrected at every point</source>
+        <translation>逐点校正镜头</translation>
+    </message>
+    <message>
+        <source>lens assumed distortion-free</source>
+        <translation>将镜头视为无畸变</translation>
+    </message>
+    <message>
         <source>&apos;exact&apos; measures shape and positions correctly up to the image&apos;s corners</source>
         <translation>&apos;exact&apos; 直到图像角落都能正确给出形状和位置</translation>
     </message>
@@ -12794,6 +12808,14 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>沿法线压入的层如何换算到 z：沿法线所指处查找，或视所有光线为平行而取同一像素</translation>
     </message>
     <message>
+        <source>exact rays through the layer</source>
+        <translation>穿过层的精确光线</translation>
+    </message>
+    <message>
+        <source>parallel rays through the layer</source>
+        <translation>穿过层的平行光线</translation>
+    </message>
+    <message>
         <source>&apos;exact&apos; measures a contact on a sloping face at its true position and depth; &apos;parallel&apos; up to a layer&apos;s thickness off</source>
         <translation>&apos;exact&apos; 给出斜面上接触的真实位置和深度；&apos;parallel&apos; 的偏差可达一个层厚</translation>
     </message>
@@ -12802,8 +12824,16 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>&apos;exact&apos; 对接触的每个像素再查找一次</translation>
     </message>
     <message>
+        <source>contact from {:g} mm of depth</source>
+        <translation>深度达 {} mm 算作接触</translation>
+    </message>
+    <message>
         <source>pixels from one vertex to the next in surfaces that are saved or shown in 3D; 1: every pixel</source>
         <translation>保存或以 3D 显示的曲面中，相邻顶点之间的像素数；1：每个像素</translation>
+    </message>
+    <message>
+        <source>a vertex every {} px</source>
+        <translation>每 {} px 一个顶点</translation>
     </message>
     <message>
         <source>1 preserves every measured edge</source>

@@ -100,60 +100,11 @@ QString error_word(Meaning meaning) {
 
 QString local_mm(double value, int digits) { return QLocale().toString(value, 'f', digits); }
 
-namespace {
-
-/// The text of one value of one setting.
-QString setting_text(const std::string& name, const std::string& value) {
-  if (name == "resolution")
-    return value == "whole"  ? VerdictText::tr("every pixel")
-           : value == "half" ? VerdictText::tr("half the pixels per side")
-                             : VerdictText::tr("a quarter of the pixels per side");
-  if (name == "average-frames")
-    return VerdictText::tr("%n image(s) averaged", nullptr, QString::fromStdString(value).toInt());
-  if (name == "reference-neighbours")
-    return VerdictText::tr("reference from %n image(s)", nullptr,
-                           QString::fromStdString(value).toInt());
-  if (name == "edge-method")
-    return value == "integer" ? VerdictText::tr("integer-pixel edges")
-                              : VerdictText::tr("subpixel edges");
-  if (name == "edge-columns")
-    return VerdictText::tr("edges from %n column(s)", nullptr,
-                           QString::fromStdString(value).toInt());
-  if (name == "profile-degree")
-    return VerdictText::tr("edge curve of degree %1").arg(QString::fromStdString(value));
-  if (name == "marker-method")
-    return value == "paper"     ? VerdictText::tr("markers as two sorted rows")
-           : value == "network" ? VerdictText::tr("markers found by a network")
-                                : VerdictText::tr("markers tracked as spots");
-  if (name == "reference-method")
-    return value == "single"    ? VerdictText::tr("compared with the image at rest")
-           : value == "nearest" ? VerdictText::tr("compared with the nearest image")
-                                : VerdictText::tr("compared with several images");
-  if (name == "light-change")
-    return value == "ignored" ? VerdictText::tr("light as recorded")
-                              : VerdictText::tr("light corrected");
-  if (name == "undistortion")
-    return value == "none" ? VerdictText::tr("lens assumed distortion-free")
-                           : VerdictText::tr("lens corrected at every point");
-  if (name == "rays")
-    return value == "parallel" ? VerdictText::tr("parallel rays through the layer")
-                               : VerdictText::tr("exact rays through the layer");
-  if (name == "smoothing-px") {
-    const double sd_px = QString::fromStdString(value).toDouble();
-    return sd_px == 0 ? VerdictText::tr("no smoothing")
-                      : VerdictText::tr("smoothing of %1 px").arg(QLocale().toString(sd_px));
-  }
-  return QString::fromStdString(name + ' ' + value);
-}
-
-}  // namespace
-
 QString difference_words(const PipelineSettings& choice, const PipelineSettings& base) {
   QStringList differences;
-  for (const auto& setting : pipeline_settings()) {
-    const std::string value = setting.get(choice);
-    if (value != setting.get(base)) differences << setting_text(setting.name, value);
-  }
+  for (const auto& setting : pipeline_settings())
+    if (setting.get(choice) != setting.get(base))
+      differences << in_window_language(setting.phrase(choice));
   return joined(differences);
 }
 

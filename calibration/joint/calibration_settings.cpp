@@ -4,6 +4,8 @@ namespace alltact {
 
 const std::vector<Setting<CalibrationSettings>>& calibration_settings() {
   using S = CalibrationSettings;
+  const auto method = [](const std::string& word) { return en::say("method {}", word); };
+  const auto family = [](const std::string& word) { return en::say("family {}", word); };
   static const std::vector<Setting<S>> settings{
       with_trade_off(
           choice_setting<S, CalibrationMethod>(
@@ -12,10 +14,10 @@ const std::vector<Setting<CalibrationSettings>>& calibration_settings() {
                       "comparison, every ball from its dark border alone: by the source paper, as "
                       "a circle on the face, or as the cone of the ball's outline"),
               &S::method,
-              {{"joint", CalibrationMethod::kJoint},
-               {"paper", CalibrationMethod::kPaper},
-               {"circle", CalibrationMethod::kCircle},
-               {"cone", CalibrationMethod::kCone}}),
+              {{"joint", CalibrationMethod::kJoint, method("joint")},
+               {"paper", CalibrationMethod::kPaper, method("paper")},
+               {"circle", CalibrationMethod::kCircle, method("circle")},
+               {"cone", CalibrationMethod::kCone, method("cone")}}),
           {en::say("'joint' is several times more accurate, and reports its certainty"),
            en::say("'joint' solves all presses together, which takes seconds"),
            {"paper", "circle", "cone", "joint"}}),
@@ -23,7 +25,11 @@ const std::vector<Setting<CalibrationSettings>>& calibration_settings() {
           number_setting<S>("presses",
                             en::say("maximum number of presses to use, spread evenly over those "
                                     "given; 0: all of them"),
-                            &S::presses, 0, 1000),
+                            &S::presses, 0, 1000,
+                            [](int n) {
+                              return n == 0 ? en::say("all presses")
+                                            : en::count("{} presses", "{} press", n);
+                            }),
           {en::say(
                "more support the curve at more depths and positions; ten well spread are typical"),
            en::say("each must be made, and is left out once to test the prediction"),
@@ -32,7 +38,8 @@ const std::vector<Setting<CalibrationSettings>>& calibration_settings() {
           number_setting<S>(
               "pictures-per-press",
               en::say("maximum number of averaged images of a press held still (--bursts)"),
-              &S::frames_per_press, 1, 64),
+              &S::frames_per_press, 1, 64,
+              [](int n) { return en::count("{} images each", "{} image each", n); }),
           {en::say("more leave less noise in a press, by their square root"),
            en::say("the ball must be held still that long, and reading them takes a little time"),
            {"1", "4", "16", "64"}}),
@@ -41,10 +48,10 @@ const std::vector<Setting<CalibrationSettings>>& calibration_settings() {
               "family",
               en::say("the mapping's curve; auto: whichever best predicts presses left out"),
               &S::family,
-              {{"auto", FamilyChoice::kAuto},
-               {"polynomial", FamilyChoice::kPolynomial},
-               {"moebius", FamilyChoice::kMoebius},
-               {"kubelka-munk", FamilyChoice::kLayer}}),
+              {{"auto", FamilyChoice::kAuto, family("auto")},
+               {"polynomial", FamilyChoice::kPolynomial, family("polynomial")},
+               {"moebius", FamilyChoice::kMoebius, family("moebius")},
+               {"kubelka-munk", FamilyChoice::kLayer, family("kubelka-munk")}}),
           {en::say("'moebius' and 'kubelka-munk' need few presses where the layer is even; "
                    "'polynomial' follows any layer, given more of them"),
            en::say("'auto' fits all of them and leaves presses out for each"),
@@ -68,14 +75,16 @@ const std::vector<Setting<CalibrationSettings>>& calibration_settings() {
                   "uneven layer; auto: if presses left out then agree clearly better"),
           &S::face_variation,
           {{"auto", FaceVariationChoice::kAuto}, {"even", FaceVariationChoice::kEven}}),
-      with_trade_off(number_setting<S>("iterations",
-                                       en::say("maximum number of rounds of the joint fit; it ends "
-                                               "earlier when nothing changes"),
-                                       &S::iterations, 1, 60),
-                     {en::say("more resolve contradictions between presses; too few leave the "
-                              "curve where it began"),
-                      en::say("each solves all presses together once, in every trial"),
-                      {"1", "2", "4", "60"}}),
+      with_trade_off(
+          number_setting<S>("iterations",
+                            en::say("maximum number of rounds of the joint fit; it ends "
+                                    "earlier when nothing changes"),
+                            &S::iterations, 1, 60,
+                            [](int n) { return en::count("{} iterations", "{} iteration", n); }),
+          {en::say("more resolve contradictions between presses; too few leave the "
+                   "curve where it began"),
+           en::say("each solves all presses together once, in every trial"),
+           {"1", "2", "4", "60"}}),
   };
   return settings;
 }

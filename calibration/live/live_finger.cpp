@@ -57,23 +57,34 @@ struct LiveFinger::Measuring {
 };
 
 struct LiveFinger::State {
+  explicit State(LatestFrameReader frames) : reader(std::move(frames)) {}
+
+  /// For the measuring thread. Returns the one that it replaces.
+  std::optional<Measuring> hand_over(Measuring loaded) {
+    auto replaced = next.put(std::move(loaded));
+    reader.wake();
+    return replaced;
+  }
+
   mutable std::mutex mutex;
   FingerStatus status;
   std::shared_ptr<Job> loading;  // the current one
   RequestedLayers layers;
   double depth_top_mm = 1.0;
 
-  Mailbox<Measuring> next;  // loaded, for the measuring thread
+  LatestFrameReader reader;  // of the measuring thread
+  Mailbox<Measuring> next;   // loaded, for the measuring thread
   Mailbox<std::shared_ptr<const LiveView>> view;
 };
 
 LiveFinger::LiveFinger(const FrameHub& hub, std::function<void()> on_update)
-    : state_(std::make_shared<State>()),
-      reader_(hub.reader()),
+    : state_(std::make_shared<State>(hub.reader())),
       on_update_(std::move(on_update)),
       worker_([this](const std::stop_token& stop) { measure(stop); }) {}
 
 LiveFinger::~LiveFinger() {
+  worker_.request_stop();
+  state_->reader.wake();
   const std::lock_guard lock(state_->mutex);
   if (state_->loading) state_->loading->request_stop();
 }
@@ -96,7 +107,7 @@ void LiveFinger::load(const std::filesystem::path& folder, const std::filesystem
     state->status.opened = opened;
     state->status.folder = folder;
     if (folder.empty() && scene.empty()) {
-      replaced = state->next.put({.opened = opened});
+      replaced = state->hand_over({.opened = opened});
       return;
     }
     state->status.state = FingerState::kLoading;
@@ -125,17 +136,22 @@ void LiveFinger::load(const std::filesystem::path& folder, const std::filesystem
     if (state->loading != loading) return;
     status.skipped = state->status.skipped;
     state->status = std::move(status);
-    former = state->next.put(std::move(ready));
+    former = state->hand_over(std::move(ready));
   }).end_later();
 }
 
 void LiveFinger::measure(const std::stop_token& stop) {
+  constexpr std::chrono::hours kUntilWoken{1};
+  constexpr std::chrono::milliseconds kRunning{50};  // longer than between two live frames
   Measuring now;
   FramePtr last;
   while (!stop.stop_requested()) {
-    FramePtr frame = reader_.next(std::chrono::milliseconds(50));
+    FramePtr frame = state_->reader.next(kUntilWoken);
     // The last frame of a source that has ended is shown; a finger opened later measures it, too.
-    if (!frame && !state_->next.is_empty()) frame = last;
+    if (!frame && !state_->next.is_empty()) {
+      frame = state_->reader.next(kRunning);
+      if (!frame) frame = last;
+    }
     if (!frame) continue;
     if (auto next = state_->next.take()) now = std::move(*next);
     RequestedLayers layers;
@@ -159,7 +175,7 @@ void LiveFinger::measure(const std::stop_token& stop) {
     if (!drawn) view->problem = drawn.error();
     {
       const std::lock_guard lock(state_->mutex);
-      state_->status.skipped = reader_.missed();
+      state_->status.skipped = state_->reader.missed();
     }
     if (!state_->view.put(std::move(view))) on_update_();
   }

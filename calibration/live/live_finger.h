@@ -93,7 +93,6 @@ class LiveFinger {
   void measure(const std::stop_token& stop);
 
   std::shared_ptr<State> state_;
-  LatestFrameReader reader_;
   std::function<void()> on_update_;
   Worker worker_;
 };

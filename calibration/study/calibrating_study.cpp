@@ -21,13 +21,18 @@ namespace {
 
 constexpr int kQuickDraws = 1, kDraws = 3;
 
-Result<Calibration> calibrate_with(const std::vector<Press>& presses, const FingerSnapshot& finger,
-                                   const CalibratingChoice& choice, const Job& job) {
+/// How presses become a mapping; without the number of presses and images.
+CalibrationSettings fit_settings(const CalibratingChoice& choice) {
   CalibrationSettings settings;
   settings.method = choice.method;
   settings.family = choice.family;
   settings.iterations = choice.iterations;
-  return calibrate(presses, finger.camera, finger.finger.face, settings, job);
+  return settings;
+}
+
+Result<Calibration> calibrate_with(const std::vector<Press>& presses, const FingerSnapshot& finger,
+                                   const CalibratingChoice& choice, const Job& job) {
+  return calibrate(presses, finger.camera, finger.finger.face, fit_settings(choice), job);
 }
 
 double median_of(std::vector<double> values) {
@@ -499,14 +504,15 @@ std::string line_of_row(const CalibratingRow& row) {
 }  // namespace
 
 Message words_of(const CalibratingChoice& choice) {
-  std::vector<Message> words{en::count("{} presses", "{} press", choice.presses)};
-  if (choice.images > 1) words.push_back(en::say("{} images each", choice.images));
-  if (choice.method != CalibrationMethod::kJoint)
-    words.push_back(en::say("method {}", method_name(choice.method)));
-  if (choice.family != FamilyChoice::kAuto)
-    words.push_back(en::say("family {}", family_name(choice.family)));
-  if (choice.iterations != CalibratingChoice{}.iterations)
-    words.push_back(en::count("{} iterations", "{} iteration", choice.iterations));
+  CalibrationSettings settings = fit_settings(choice), defaults;
+  settings.presses = choice.presses;
+  settings.frames_per_press = choice.images;
+  defaults.frames_per_press = CalibratingChoice{}.images;
+  std::vector<Message> words;
+  for (const char* name : {"presses", "pictures-per-press", "method", "family", "iterations"})
+    for (const auto& setting : calibration_settings())
+      if (setting.name == name && setting.get(settings) != setting.get(defaults))
+        words.push_back(setting.phrase(settings));
   return en::list(words);
 }
 

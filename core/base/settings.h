@@ -59,6 +59,8 @@ struct Setting {
   std::function<std::string(const S&)> get;
   /// Error: outside the range, or not a value at all.
   std::function<Status(S&, std::string_view)> set;
+  /// Its value in words: "half the pixels per side". Empty for settings that no study varies.
+  std::function<Message(const S&)> phrase = nullptr;
   std::optional<TradeOff> trade = std::nullopt;  ///< absent: it has no trade-off between accuracy
                                                  ///< and time
 
@@ -67,7 +69,8 @@ struct Setting {
 
 /// A number in [low, high]. `member` points to an arithmetic member of S.
 template <class S, class T>
-Setting<S> number_setting(std::string name, Message sentence, T S::*member, T low, T high) {
+Setting<S> number_setting(std::string name, Message sentence, T S::*member, T low, T high,
+                          std::type_identity_t<std::function<Message(T)>> phrase = nullptr) {
   Setting<S> setting{std::move(name), std::move(sentence), {}, {}, {}};
   setting.range.numbers = SettingRange::Numbers{static_cast<double>(low), static_cast<double>(high),
                                                 std::is_integral_v<T>};
@@ -85,13 +88,15 @@ Setting<S> number_setting(std::string name, Message sentence, T S::*member, T lo
     s.*member = value;
     return {};
   };
+  if (phrase)
+    setting.phrase = [member, phrase = std::move(phrase)](const S& s) { return phrase(s.*member); };
   return setting;
 }
 
 /// A non-empty text, for example a file name.
 template <class S>
 Setting<S> text_setting(std::string name, Message sentence, std::string S::*member,
-                        std::string range) {
+                        std::string range, std::function<Message(const std::string&)> phrase) {
   Setting<S> setting{std::move(name), std::move(sentence), {}, {}, {}};
   setting.range.other = std::move(range);
   setting.get = [member](const S& s) { return s.*member; };
@@ -100,25 +105,40 @@ Setting<S> text_setting(std::string name, Message sentence, std::string S::*memb
     s.*member = text;
     return {};
   };
+  setting.phrase = [member, phrase = std::move(phrase)](const S& s) { return phrase(s.*member); };
   return setting;
 }
+
+/// One value of a choice.
+template <class E>
+struct Choice {
+  std::string word;  ///< of flags and files
+  E value;
+  Message phrase = {};  ///< see Setting::phrase
+};
 
 /// One of several words.
 template <class S, class E>
 Setting<S> choice_setting(std::string name, Message sentence, E S::*member,
-                          std::vector<std::pair<std::string, E>> words) {
+                          std::vector<Choice<E>> choices) {
   Setting<S> setting{std::move(name), std::move(sentence), {}, {}, {}};
-  for (const auto& [word, value] : words) setting.range.words.push_back(word);
+  for (const Choice<E>& choice : choices) setting.range.words.push_back(choice.word);
   const Message range = either(setting.range.words);
-  setting.get = [member, words](const S& s) -> std::string {
-    for (const auto& [word, value] : words)
-      if (value == s.*member) return word;
+  setting.get = [member, choices](const S& s) -> std::string {
+    for (const auto& choice : choices)
+      if (choice.value == s.*member) return choice.word;
     return {};
   };
-  setting.set = [member, words, range, name = setting.name](S& s, std::string_view text) -> Status {
-    for (const auto& [word, value] : words)
-      if (word == text) return s.*member = value, Status{};
+  setting.set = [member, choices, range, name = setting.name](S& s,
+                                                              std::string_view text) -> Status {
+    for (const auto& choice : choices)
+      if (choice.word == text) return s.*member = choice.value, Status{};
     return Error{en::say("'{}' is not {}", printable(text), range), name, ""};
+  };
+  setting.phrase = [member, choices = std::move(choices)](const S& s) -> Message {
+    for (const auto& choice : choices)
+      if (choice.value == s.*member) return choice.phrase;
+    return {};
   };
   return setting;
 }

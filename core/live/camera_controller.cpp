@@ -28,10 +28,14 @@ struct CameraController::State {
     while (!stop.stop_requested()) {
       const auto working = camera;
       if (working) serve(*working, lock);
-      changed.wait_for(lock, stop, kControlPoll, [&] {
-        // Changes without a camera wait for one.
+      // Changes without a camera wait for one.
+      const auto is_due = [&] {
         return camera != working || (camera && (!changes.empty() || is_lock_urgent));
-      });
+      };
+      if (working)
+        changed.wait_for(lock, stop, kControlPoll, is_due);
+      else
+        changed.wait(lock, stop, is_due);
     }
   }
 

@@ -78,6 +78,11 @@ Setting<S> region_setting() {
     s.region = *region;
     return {};
   };
+  setting.phrase = [](const S& s) {
+    return s.region == FaceRegion{} ? en::say("depth on the full face")
+                                    : en::say("depth from {:g} to {:g} mm along the face",
+                                              s.region.from_mm, s.region.to_mm);
+  };
   return setting;
 }
 
@@ -89,9 +94,9 @@ std::vector<Setting<S>> image_settings() {
               en::say("pixels used to measure an image: all of them, or means of 2 by 2 or 4 by 4 "
                       "of them; results in pixels then refer to that image"),
               &S::resolution,
-              {{"whole", Resolution::kFull},
-               {"half", Resolution::kHalf},
-               {"quarter", Resolution::kQuarter}}),
+              {{"whole", Resolution::kFull, en::say("every pixel")},
+               {"half", Resolution::kHalf, en::say("half the pixels per side")},
+               {"quarter", Resolution::kQuarter, en::say("a quarter of the pixels per side")}}),
           {en::say("'whole' detects small contacts and steep edges, and numbers small dots"),
            en::say("'half' uses a quarter of the pixels and of the recording's memory, 'quarter' a "
                    "sixteenth"),
@@ -101,7 +106,8 @@ std::vector<Setting<S>> image_settings() {
               "average-frames",
               en::say("images of one source whose running mean is measured; 1: each by itself. A "
                       "moving finger then appears at its average position, and blurred"),
-              &S::average_frames, 1, 64),
+              &S::average_frames, 1, 64,
+              [](int n) { return en::count("{} images averaged", "{} image averaged", n); }),
           {en::say("more reduce the noise of a finger that holds still, by their square root"),
            en::say(
                "more delay the results, by half their number; adding them up takes a little time"),
@@ -119,7 +125,8 @@ std::vector<Setting<S>> edge_settings() {
                          en::say("how the face's edges are located: half-height crossing to a "
                                  "fiftieth of a pixel, or the steepest pixel"),
                          &S::edge_method,
-                         {{"crossing", EdgeMethod::kCrossing}, {"integer", EdgeMethod::kInteger}}),
+                         {{"crossing", EdgeMethod::kCrossing, en::say("subpixel edges")},
+                          {"integer", EdgeMethod::kInteger, en::say("integer-pixel edges")}}),
                      {en::say("'crossing' measures the finger's bend, and so press positions, "
                               "several times more accurately"),
                       en::say("'crossing' takes a little longer"),
@@ -127,9 +134,10 @@ std::vector<Setting<S>> edge_settings() {
                       {},
                       has_edges}),
       with_trade_off(
-          number_setting<S>("edge-columns",
-                            en::say("pixel columns averaged into one position on each edge"),
-                            &S::edge_columns, 1, 32),
+          number_setting<S>(
+              "edge-columns", en::say("pixel columns averaged into one position on each edge"),
+              &S::edge_columns, 1, 32,
+              [](int n) { return en::count("edges from {} columns", "edges from {} column", n); }),
           {en::say("more reduce the noise of dark images; beyond 16 a bent finger's edge is no "
                    "longer straight within them"),
            en::say("fewer make more positions, to each of which the curve must be fitted"),
@@ -139,7 +147,8 @@ std::vector<Setting<S>> edge_settings() {
       with_trade_off(
           number_setting<S>("profile-degree",
                             en::say("degree of the smooth curve through each edge of the face"),
-                            &S::profile_degree, 2, 12),
+                            &S::profile_degree, 2, 12,
+                            [](int degree) { return en::say("edge curve of degree {}", degree); }),
           {en::say("higher follows sharper bends; too high follows noise where the edge is "
                    "hidden"),
            en::say("higher makes the fit slower"),
@@ -151,7 +160,9 @@ std::vector<Setting<S>> edge_settings() {
               "undistortion",
               en::say("whether the lens distortion is removed from every point, or the lens is "
                       "assumed to have none"),
-              &S::undistort, {{"exact", true}, {"none", false}}),
+              &S::undistort,
+              {{"exact", true, en::say("lens corrected at every point")},
+               {"none", false, en::say("lens assumed distortion-free")}}),
           {en::say("'exact' measures shape and positions correctly up to the image's corners"),
            en::say("'exact' looks up each ray separately"),
            {"none", "exact"},
@@ -168,19 +179,21 @@ std::vector<Setting<S>> marker_settings() {
                       "motion, the source paper's two sorted rows, or a convolutional network in "
                       "every frame"),
               &S::marker_method,
-              {{"blobs", MarkerMethod::kBlobs},
-               {"paper", MarkerMethod::kPaper},
-               {"network", MarkerMethod::kNetwork}}),
+              {{"blobs", MarkerMethod::kBlobs, en::say("markers tracked as spots")},
+               {"paper", MarkerMethod::kPaper, en::say("markers as two sorted rows")},
+               {"network", MarkerMethod::kNetwork, en::say("markers found by a network")}}),
           {en::say("'network' finds more dots that are worn, dark or badly lit; 'paper' loses its "
                    "numbers where dots are hidden"),
            en::say("'network' takes many times as long"),
            {"paper", "blobs", "network"},
            {"network"},
            has_markers}),
-      text_setting<S>("marker-network",
-                      en::say("the network for marker-method network, and for paper where one is "
-                              "named: an ONNX file, also a detector such as YOLO11"),
-                      &S::marker_network, fmt::format("a file, or {}", kBuiltInNetwork))};
+      text_setting<S>(
+          "marker-network",
+          en::say("the network for marker-method network, and for paper where one is "
+                  "named: an ONNX file, also a detector such as YOLO11"),
+          &S::marker_network, fmt::format("a file, or {}", kBuiltInNetwork),
+          [](const std::string& network) { return en::say("marker network {}", network); })};
 }
 
 std::vector<Setting<S>> depth_settings() {
@@ -191,9 +204,9 @@ std::vector<Setting<S>> depth_settings() {
               en::say("which untouched image a frame is compared with: the one of the finger at "
                       "rest, the nearest recorded one, or one computed from several near ones"),
               &S::reference,
-              {{"single", ReferenceMethod::kSingle},
-               {"nearest", ReferenceMethod::kNearest},
-               {"local", ReferenceMethod::kLocal}}),
+              {{"single", ReferenceMethod::kSingle, en::say("compared with the image at rest")},
+               {"nearest", ReferenceMethod::kNearest, en::say("compared with the nearest image")},
+               {"local", ReferenceMethod::kLocal, en::say("compared with several images")}}),
           {en::say("'local' measures depth of a bent finger correctly between the recorded poses; "
                    "'single' only at rest"),
            en::say("'local' adds up several images instead of one"),
@@ -204,7 +217,10 @@ std::vector<Setting<S>> depth_settings() {
           number_setting<S>(
               "reference-neighbours",
               en::say("recorded images from which reference-method local computes the reference"),
-              &S::reference_neighbours, 2, 32),
+              &S::reference_neighbours, 2, 32,
+              [](int n) {
+                return en::count("reference from {} images", "reference from {} image", n);
+              }),
           {en::say("more leave less noise in the reference; too many reach too far from "
                    "the pose"),
            en::say("each is added up in every frame"),
@@ -216,7 +232,9 @@ std::vector<Setting<S>> depth_settings() {
               "light-change",
               en::say("whether a change of light since the reference is measured on the untouched "
                       "skin and removed"),
-              &S::correct_light, {{"corrected", true}, {"ignored", false}}),
+              &S::correct_light,
+              {{"corrected", true, en::say("light corrected")},
+               {"ignored", false, en::say("light as recorded")}}),
           {en::say("'corrected' corrects depth when the room or the lamp changes"),
            en::say("'corrected' analyses the untouched skin once"),
            {"ignored", "corrected"}}),
@@ -224,7 +242,11 @@ std::vector<Setting<S>> depth_settings() {
           number_setting<S>("smoothing-px",
                             en::say("standard deviation of the smoothing before depth is computed, "
                                     "in pixels; 0: none"),
-                            &S::smoothing_px, 0.0, 8.0),
+                            &S::smoothing_px, 0.0, 8.0,
+                            [](double sd_px) {
+                              return sd_px == 0 ? en::say("no smoothing")
+                                                : en::say("smoothing of {:g} px", sd_px);
+                            }),
           {en::say("more reduces the noise of a smooth contact and rounds off edges and threads"),
            en::say("more takes longer, none is fastest"),
            {"0", "1", "2", "4"}}),
@@ -233,7 +255,9 @@ std::vector<Setting<S>> depth_settings() {
               "rays",
               en::say("how a layer pressed in along its normal is converted to z: looked up where "
                       "the normal leads, or at the same pixel as if all rays were parallel"),
-              &S::exact_rays, {{"exact", true}, {"parallel", false}}),
+              &S::exact_rays,
+              {{"exact", true, en::say("exact rays through the layer")},
+               {"parallel", false, en::say("parallel rays through the layer")}}),
           {en::say("'exact' measures a contact on a sloping face at its true position and depth; "
                    "'parallel' up to a layer's thickness off"),
            en::say("'exact' looks up every pixel of a contact once more"),
@@ -242,7 +266,8 @@ std::vector<Setting<S>> depth_settings() {
            maps_along_normal}),
       number_setting<S>("contact-threshold-mm",
                         en::say("depth that counts as contact, in millimetres"),
-                        &S::contact_threshold_mm, 0.01, 5.0)};
+                        &S::contact_threshold_mm, 0.01, 5.0,
+                        [](double mm) { return en::say("contact from {:g} mm of depth", mm); })};
 }
 
 // No study varies it: no frame is measured with it.
@@ -251,7 +276,8 @@ Setting<S> mesh_setting() {
       number_setting<S>("mesh-step-px",
                         en::say("pixels from one vertex to the next in surfaces that "
                                 "are saved or shown in 3D; 1: every pixel"),
-                        &S::mesh_step_px, 1, 16),
+                        &S::mesh_step_px, 1, 16,
+                        [](int px) { return en::say("a vertex every {} px", px); }),
       {en::say("1 preserves every measured edge"),
        en::say("time and size fall with its square"),
        {}});

@@ -91,12 +91,21 @@ struct FrameHubState {
 
 FramePtr LatestFrameReader::next(std::chrono::milliseconds timeout) {
   std::unique_lock lock(state_->mutex);
-  state_->changed.wait_for(lock, timeout,
-                           [&] { return state_->published > seen_ || state_->is_closed; });
+  state_->changed.wait_for(
+      lock, timeout, [&] { return state_->published > seen_ || state_->is_closed || is_woken_; });
+  is_woken_ = false;
   if (state_->published == seen_) return nullptr;
   missed_ += state_->published - seen_ - 1;
   seen_ = state_->published;
   return state_->latest;
+}
+
+void LatestFrameReader::wake() {
+  {
+    const std::lock_guard lock(state_->mutex);
+    is_woken_ = true;
+  }
+  state_->changed.notify_all();
 }
 
 FrameQueue::~FrameQueue() {

@@ -123,12 +123,14 @@ class NewestSource : public Source {
 struct FrameHubState;
 
 /// Reads the latest frame only. A slow reader misses frames, which it counts, and never gets an old
-/// one. One thread; may outlive the hub.
+/// one. One thread, but for wake(); may outlive the hub.
 class LatestFrameReader {
  public:
   /// Waits for a frame that this reader has not returned yet. nullptr: none came within `timeout`,
-  /// or the hub has closed.
+  /// the hub has closed, or wake() was called.
   [[nodiscard]] FramePtr next(std::chrono::milliseconds timeout);
+  /// Ends the wait of next(), or else that of its next call. Any thread.
+  void wake();
   /// Frames published since this reader was made that it never returned.
   [[nodiscard]] std::uint64_t missed() const { return missed_; }
 
@@ -139,6 +141,7 @@ class LatestFrameReader {
   std::shared_ptr<FrameHubState> state_;
   std::uint64_t seen_;  // frames published at the last call of next()
   std::uint64_t missed_ = 0;
+  bool is_woken_ = false;  // under the lock
 };
 
 /// Returns every frame in order, and every fault between them. Holds at most `capacity` frames;

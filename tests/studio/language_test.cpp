@@ -8,8 +8,10 @@
 #include "tests/support/good_evidence.h"
 #include "tests/support/ts_file.h"
 #include "tests/support/words_left.h"
+#include "widgets/verdict_text.h"
 
 #include <QLocale>
+#include <array>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -169,6 +171,36 @@ TEST_F(InLanguage, CountsAreSaidOfNoneOneAndMore) {
   EXPECT_EQ(frames(0), "0 帧");
   EXPECT_EQ(frames(1), "1 帧");
   EXPECT_EQ(frames(2), "2 帧");
+}
+
+TEST_F(InLanguage, SettingsAreNamedWithTheirCountsAndDecimalMarks) {
+  PipelineSettings one, many;
+  one.average_frames = one.edge_columns = 1;
+  one.resolution = Resolution::kHalf;
+  one.smoothing_px = 0.5;
+  many.average_frames = 4;
+  many.smoothing_px = 0;
+  many.reference_neighbours = 16;
+  const PipelineSettings usual;
+  const auto texts = [&] {
+    return std::array{difference_words(one, usual).toStdString(),
+                      difference_words(many, usual).toStdString(),
+                      difference_words(usual, many).toStdString()};
+  };
+  using Texts = std::array<std::string, 3>;
+  speak("en");
+  EXPECT_EQ(texts(), (Texts{"half the pixels per side, edges from 1 column, smoothing of 0.5 px",
+                            "4 images averaged, reference from 16 images, no smoothing",
+                            "1 image averaged, reference from 8 images, smoothing of 1 px"}));
+  speak("de");
+  EXPECT_EQ(texts(),
+            (Texts{"halb so viele Pixel je Seite, Kanten aus 1 Spalte, Glättung von 0,5 px",
+                   "4 Bilder gemittelt, Referenz aus 16 Bildern, ohne Glättung",
+                   "1 Bild gemittelt, Referenz aus 8 Bildern, Glättung von 1 px"}));
+  speak("zh_CN");
+  EXPECT_EQ(texts(), (Texts{"每边一半像素，边缘取自 1 列，平滑 0.5 px",
+                            "4 张图像取平均，参考取自 16 张图像，不平滑",
+                            "1 张图像取平均，参考取自 8 张图像，平滑 1 px"}));
 }
 
 TEST_F(InLanguage, EveryCountIsRightInEnglishWithoutATranslation) {

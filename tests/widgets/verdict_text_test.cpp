@@ -110,5 +110,15 @@ TEST(WorthWords, TooFewPressesAreNoPass) {
   EXPECT_EQ(check_text(CheckVerdict::kPass), "Pass");
 }
 
+TEST(SettingsWords, AreThePhrasesOfWhatDiffers) {
+  const PipelineSettings usual;
+  EXPECT_EQ(difference_words(usual, usual), "");
+  PipelineSettings two;
+  two.smoothing_px = 0;
+  two.reference = ReferenceMethod::kNearest;
+  EXPECT_EQ(difference_words(two, usual), "compared with the nearest image, no smoothing");
+  EXPECT_EQ(difference_words(usual, two), "compared with several images, smoothing of 1 px");
+}
+
 }  // namespace
 }  // namespace alltact

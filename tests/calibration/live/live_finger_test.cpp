@@ -117,6 +117,16 @@ TEST_F(LiveFingerTest, TellsWhichFingerMeasuredAViewWhileTheNextIsLoaded) {
   EXPECT_TRUE(wait_until([&] { return shown(frame(3))->opened == 2; }));
 }
 
+TEST_F(LiveFingerTest, MeasuresTheLastFrameAgainWithAFingerThatIsOpenedLater) {
+  const auto before = shown(frame(70));
+  EXPECT_FALSE(before->result.shape);
+  finger_.open_scene(kScene);
+  std::shared_ptr<const LiveView> after;
+  ASSERT_TRUE(wait_until([&] { return (after = finger_.take()) != nullptr; }));
+  EXPECT_EQ(after->result.frame, before->result.frame);
+  EXPECT_TRUE(after->result.shape);
+}
+
 TEST_F(LiveFingerTest, GoesOnWithTheEdgesWhereTheFingerCannotBeRead) {
   const test::TemporaryFolder folder;
   finger_.open(folder.path());

@@ -1,6 +1,8 @@
 // A study's truth against closed formulas, and what it says against what it must.
 #include "calibration/study/accuracy_study.h"
 
+#include "calibration/joint/calibration_settings.h"
+#include "calibration/study/calibrating_study.h"
 #include "calibration/study/recommended_settings.h"
 #include "calibration/study/study_file.h"
 #include "calibration/study/study_plot.h"
@@ -212,6 +214,42 @@ TEST(StudyChoices, HoldEveryValueOnceAndEveryTwoOfThem) {
   other.smoothing_px = 2;
   EXPECT_EQ(words_of(other, base).english(), "smoothing-px 2");
   EXPECT_EQ(flags_of(other, base), "--smoothing-px 2");
+}
+
+TEST(CalibratingChoices, AreNamedByWhatDiffersFromTheUsualCalibration) {
+  EXPECT_EQ(words_of(CalibratingChoice{}).english(), "6 presses");
+  const CalibratingChoice other{1, 4, CalibrationMethod::kPaper, FamilyChoice::kMoebius, 2};
+  EXPECT_EQ(words_of(other).english(),
+            "1 press, 4 images each, method paper, family moebius, 2 iterations");
+}
+
+template <class S>
+void expect_phrase_for_every_tried_value(const std::vector<Setting<S>>& table) {
+  for (const auto& setting : table) {
+    if (!setting.trade) continue;
+    SCOPED_TRACE(setting.name);
+    ASSERT_TRUE(setting.phrase);
+    std::set<std::string> phrases;
+    for (const std::string& value : setting.trade->tried) {
+      S settings;
+      ASSERT_TRUE(setting.set(settings, value));
+      phrases.insert(setting.phrase(settings).english());
+    }
+    EXPECT_FALSE(phrases.contains(""));
+    EXPECT_EQ(phrases.size(), setting.trade->tried.size()) << "two values have one phrase";
+  }
+}
+
+TEST(SettingPhrases, DistinguishTheValuesThatAStudyTries) {
+  expect_phrase_for_every_tried_value(pipeline_settings());
+  expect_phrase_for_every_tried_value(calibration_settings());
+}
+
+TEST(SettingPhrases, ExistForAllThatTheWindowLists) {
+  for (const auto& setting : pipeline_settings()) {
+    ASSERT_TRUE(setting.phrase) << setting.name;
+    EXPECT_FALSE(setting.phrase({}).empty()) << setting.name;
+  }
 }
 
 TEST(StudyChoices, LeaveOutWhatMakesNoDifferenceOnAFinger) {

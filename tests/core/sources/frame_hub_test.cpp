@@ -74,6 +74,22 @@ TEST(FrameHub, TheEndWakesEverybodyAfterWhatIsLeft) {
   EXPECT_EQ(**queue->next(1h), nullptr);
 }
 
+TEST(FrameHub, AReaderIsWokenWithoutAFrameAndLosesNone) {
+  FrameHub hub;
+  LatestFrameReader reader = hub.reader();
+  FramePtr woken = frame(1);
+  std::thread waiting([&] { woken = reader.next(1h); });
+  reader.wake();
+  waiting.join();
+  EXPECT_EQ(woken, nullptr);
+  EXPECT_EQ(reader.next(0ms), nullptr) << "woken once";
+  hub.publish(frame(5));
+  reader.wake();
+  ASSERT_NE(woken = reader.next(1h), nullptr);
+  EXPECT_EQ(woken->sequence, 5U);
+  EXPECT_EQ(reader.missed(), 0U);
+}
+
 TEST(FrameHub, ManyReadersAtOnceLoseNothingUncounted) {
   constexpr std::uint64_t kFrames = 3000;
   FrameHub hub;

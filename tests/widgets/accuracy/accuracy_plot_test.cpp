@@ -2,8 +2,6 @@
 // do what the mouse does.
 #include "widgets/accuracy/accuracy_plot.h"
 
-#include "widgets/verdict_text.h"
-
 #include <QAbstractItemModelTester>
 #include <QAccessible>
 #include <QSignalSpy>
@@ -199,27 +197,6 @@ TEST_F(AccuracyFigure, TheTableIsSortedByKeysAlone) {
   ASSERT_EQ(picked.size(), 1);
   const auto point = picked.front().front().value<std::size_t>();
   EXPECT_EQ(points_[point].median_mm, errors.front()) << "the row of the point, however sorted";
-}
-
-TEST(SettingsWords, SayEveryValueThatAStudyTries) {
-  const PipelineSettings usual;
-  EXPECT_EQ(difference_words(usual, usual), "");
-  for (const auto& setting : pipeline_settings()) {
-    if (!setting.trade || setting.trade->tried.empty()) continue;
-    std::set<QString> words;
-    for (const std::string& value : setting.trade->tried) {
-      PipelineSettings other;
-      ASSERT_TRUE(setting.set(other, value));
-      if (value == setting.default_value()) continue;
-      words.insert(difference_words(other, usual));
-      EXPECT_FALSE(words.contains(QString())) << setting.name;
-    }
-    EXPECT_EQ(words.size(), setting.trade->tried.size() - 1) << "told apart: " << setting.name;
-  }
-  PipelineSettings two;
-  two.smoothing_px = 0;
-  two.reference = ReferenceMethod::kNearest;
-  EXPECT_EQ(difference_words(two, usual), "compared with the nearest image, no smoothing");
 }
 
 }  // namespace
