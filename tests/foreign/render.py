@@ -138,7 +138,8 @@ class Renderer:
         if self._edges is None:
             along, across = _grid(-0.2, rest.length_mm + 0.2), _grid(-rest.width_mm / 2 - 0.2, rest.width_mm / 2 + 0.2)
             thick = np.full((len(across), len(along)), rest.layer_mm)
-            self._edges = along, across, scattering.relative(along, _framed(thick, along, across, rest))
+            shares = scattering.relative(along, _framed(thick, along, across, rest))
+            self._edges = along, across, _to_the_border(shares, along, across, rest)
         return _looked_up(*self._edges, s, w)
 
     def _scattered(self, s: np.ndarray, w: np.ndarray, dent: Dent) -> np.ndarray:
@@ -154,7 +155,8 @@ class Renderer:
         thick[here] = dent.thickness_at(s_grid[here], w_grid[here])
         pressed = _framed(thick, along, across, rest)
         before = np.maximum(scattering.relative(along, untouched), 1e-3)
-        return _looked_up(along, across, scattering.relative(along, pressed) / before, s, w)
+        shares = _to_the_border(scattering.relative(along, pressed) / before, along, across, rest)
+        return _looked_up(along, across, shares, s, w)
 
     def _truth(
         self,
@@ -226,6 +228,18 @@ def _framed(thick: np.ndarray, along: np.ndarray, across: np.ndarray, rest: Rest
     """No layer beyond the borders: light is lost there."""
     on_face = (np.abs(across) <= rest.width_mm / 2)[:, None] & ((along >= 0) & (along <= rest.length_mm))[None, :]
     return np.where(on_face, thick, 0.0)
+
+
+def _to_the_border(table: np.ndarray, along: np.ndarray, across: np.ndarray, rest: RestShape) -> np.ndarray:
+    """Beyond the borders the last cell of the face, so that what is looked up between cells goes on up to the border."""
+    columns = np.clip(np.arange(len(along)), *_first_and_last((along >= 0) & (along <= rest.length_mm)))
+    rows = np.clip(np.arange(len(across)), *_first_and_last(np.abs(across) <= rest.width_mm / 2))
+    return table[np.ix_(rows, columns)]
+
+
+def _first_and_last(inside: np.ndarray) -> tuple[int, int]:
+    where = np.flatnonzero(inside)
+    return (int(where[0]), int(where[-1])) if len(where) else (0, len(inside) - 1)
 
 
 def _looked_up(along: np.ndarray, across: np.ndarray, table: np.ndarray, s: np.ndarray, w: np.ndarray) -> np.ndarray:
