@@ -20,18 +20,17 @@ namespace alltact {
 struct FieldKey {
   FieldKey(const char* key) : name(key) {}             // NOLINT(google-explicit-constructor)
   FieldKey(std::string key) : name(std::move(key)) {}  // NOLINT(google-explicit-constructor)
-  std::string name;
-  [[nodiscard]] FieldKey required_if(bool is) const {
-    FieldKey made = *this;
-    made.is_required = is;
-    return made;
+  [[nodiscard]] FieldKey required_if(bool holds) && {
+    is_required = holds;
+    return std::move(*this);
   }
+  std::string name;
   bool is_required = true;  ///< else the value stays as it is where the file lacks the key
   bool is_written = true;
 };
 /// A key that the file may lack. `is_written`: false where the value is not worth a line.
 inline FieldKey may(std::string key, bool is_written = true) {
-  FieldKey made(std::move(key));
+  FieldKey made = std::move(key);
   made.is_required = false;
   made.is_written = is_written;
   return made;

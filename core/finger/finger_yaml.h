@@ -1,8 +1,8 @@
 // Parts of finger.yaml that other files contain as well.
 #pragma once
 
-#include "core/base/result.h"
 #include "core/base/fields.h"
+#include "core/base/result.h"
 #include "core/geometry/rigid_transform.h"
 
 #include <optional>
