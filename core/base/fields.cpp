@@ -25,8 +25,12 @@ std::string in_layout(const YamlBlock& block, Fields::Layout layout) {
 
 }  // namespace
 
-bool Fields::has(const FieldKey& key) const {
-  return is_reading() ? key.is_required || section_->has(key.name) : key.is_written;
+bool Fields::has(const FieldKey& key) {
+  if (!is_reading()) return key.is_written;
+  if (key.is_required) return true;
+  const bool is_there = section_->has(key.name);
+  found_ += is_there ? 1 : 0;
+  return is_there;
 }
 
 void Fields::demand(bool holds, const std::string& key, const Message& what,

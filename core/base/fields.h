@@ -62,15 +62,17 @@ class Fields {
 
   [[nodiscard]] bool is_reading() const { return section_.has_value(); }
   /// True where the key is to be read or written.
-  [[nodiscard]] bool has(const FieldKey& key) const;
+  [[nodiscard]] bool has(const FieldKey& key);
   /// The same for a value that may be absent, which has no key then.
   template <class T>
-  [[nodiscard]] bool has(FieldKey key, std::optional<T>& value) const {
+  [[nodiscard]] bool has(FieldKey key, std::optional<T>& value) {
     key.is_written = value.has_value();
     const bool is_present = has(key);
     if (is_present && !value) value.emplace();
     return is_present;
   }
+  /// Reading: keys that may be absent, and are there.
+  [[nodiscard]] int found() const { return found_; }
   /// The section that is read.
   [[nodiscard]] YamlSection& section() { return *section_; }
   /// Reading: as YamlSection::refuse(), unless `holds`.
@@ -157,6 +159,7 @@ class Fields {
   void add(const FieldKey& key, std::string value);
 
   std::optional<YamlSection> section_;
+  int found_ = 0;
   YamlBlock* block_ = nullptr;
   const UnknownKeys* unknown_ = nullptr;
 };

@@ -278,14 +278,12 @@ void describe_reference(Fields& fields, ReferenceFiles& files, FaceKind kind) {
 
 void describe_mapping(Fields& fields, Finger& finger) {
   describe(fields, *finger.mapping);
-  constexpr std::array kKeys{"method",    "presses",  "residual_mm",   "held_out_mm",
-                             "spread_mm", "pixel_mm", "degree_choice", "basis"};
-  const bool has_record = finger.mapping_record.has_value();
-  if (std::none_of(kKeys.begin(), kKeys.end(),
-                   [&](const char* key) { return fields.has(may(key, has_record)); }))
-    return;
-  if (!has_record) finger.mapping_record.emplace();
+  const bool had_record = finger.mapping_record.has_value();
+  if (!fields.is_reading() && !had_record) return;
+  if (!had_record) finger.mapping_record.emplace();
+  const int before = fields.found();
   describe(fields, *finger.mapping_record);
+  if (fields.is_reading() && fields.found() == before) finger.mapping_record.reset();
 }
 
 }  // namespace
@@ -301,8 +299,7 @@ static void describe(Fields& fields, Finger& finger) {
   finger.camera = camera.parameters, finger.lens_record = camera.lens;
   fields.section("face", finger.face, Layout::kLines);
   const bool is_fin_ray = finger.face.kind == FaceKind::kFinRay;
-  if (is_fin_ray || (fields.is_reading() && fields.has(may("markers"))))
-    fields.section("markers", finger.markers);
+  fields.section(may("markers", is_fin_ray).required_if(is_fin_ray), finger.markers);
   if (fields.has(may("mapping"), finger.mapping))
     fields.section("mapping", Layout::kLines,
                    [&](Fields& mapping) { describe_mapping(mapping, finger); });
