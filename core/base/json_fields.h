@@ -83,10 +83,12 @@ class JsonFields {
       return;
     }
     if (!in_->is_array()) refuse(en::say("is not a list"));
-    for (const Json& item : *in_)
-      JsonFields(item, rules_,
-                 item.is_object() ? path_ + "[" + std::to_string(values.size()) + "]" : path_)
-          .value(values.emplace_back());
+    const bool is_outer = path_.find('[') == std::string::npos;  // its items have numbers
+    for (const Json& item : *in_) {
+      const std::string number =
+          is_outer && item.is_object() ? fmt::format("[{}]", values.size()) : "";
+      JsonFields(item, rules_, path_ + number).value(values.emplace_back());
+    }
   }
 
  private:

@@ -228,6 +228,7 @@ Result<FrameLine> FrameLine::from_json(std::string_view text) {
     FrameLine frame;
     JsonFields fields(json, {.null_is_nan = true});
     describe(fields, frame);
+    if (std::isnan(frame.total_ms)) throw std::out_of_range("total_ms");
     return frame;
   } catch (const std::exception&) {
     return Error{en::say("one of its lines is damaged"), "",
