@@ -4,7 +4,6 @@
 #include "calibration/twin/twin.h"
 #include "core/base/atomic_file.h"
 #include "core/base/message.h"
-#include "core/finger/finger_yaml.h"
 #include "core/image/image_file.h"
 #include "core/recording/video_file.h"
 #include "core/simulation/effect_catalogue.h"
@@ -53,12 +52,6 @@ Status prepare_folder(const Path& folder) {
   }
   for (const Path& path : old) std::filesystem::remove(path, failed);
   return make_folder(folder);
-}
-
-std::string camera_yaml(const CameraParameters& camera) {
-  YamlBlock block("");
-  add_camera(camera, {}, {}, block);
-  return block.on_many_lines();
 }
 
 std::string new_command(const Finger& finger, const Path& camera_file) {
@@ -362,7 +355,7 @@ Status run_simulate(const SimulateOptions& options, Console& console) {
   }
   if (!status) return status;
   const Path camera_file = options.folder / "camera.yaml";
-  status = write_file_atomically(camera_file, camera_yaml(plan->finger().camera));
+  status = save_camera(camera_file, plan->finger().camera);
   if (!status) return status;
   status = write_file_atomically(options.folder / kTruthFile, truth.dump(1) + "\n");
   if (!status) return status;

@@ -2,8 +2,8 @@
 
 #include "calibration/finger/calibration_report.h"
 #include "core/base/atomic_file.h"
+#include "core/base/fields.h"
 #include "core/base/message_json.h"
-#include "core/base/yaml.h"
 #include "core/finger/finger_store.h"
 
 #include <algorithm>
@@ -24,85 +24,49 @@ constexpr std::size_t kMaxSamples = 50'000;  // 65 bytes each: YamlFile reads up
 constexpr std::size_t kSampleNumbers = 9;
 
 /// 0 where it is unknown.
-std::string number_text(double value) { return yaml_number(std::isfinite(value) ? value : 0.0); }
-
-std::string vector_text(const Eigen::Vector3d& v) {
-  return yaml_list({number_text(v.x()), number_text(v.y()), number_text(v.z())});
+void describe_figure(Fields& fields, const char* key, double& value) {
+  if (!std::isfinite(value)) value = 0;
+  fields.number(key, value, kAnyNumber);
 }
 
-std::string sentence_text(const Message& message) {
+void describe_vector(Fields& fields, const char* key, Eigen::Vector3d& v) {
+  for (double& value : v)
+    if (!std::isfinite(value)) value = 0;
+  fields.numbers(key, {&v.x(), &v.y(), &v.z()}, kAnyNumber);
+}
+
+std::string text_of(const Message& message) {
   // A file name in it may be anything but UTF-8.
-  return yaml_text(
-      message_json(message).dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+  return message_json(message).dump(-1, ' ', false,
+                                    nlohmann::ordered_json::error_handler_t::replace);
 }
 
-std::string sentences_text(const std::vector<Message>& messages) {
-  std::vector<std::string> all;
-  for (const Message& message : messages) all.push_back(sentence_text(message));
-  return yaml_list(all);
-}
-
-std::string samples_text(const std::vector<ResidualSample>& samples, std::size_t every) {
-  std::string text;
-  for (std::size_t i = 0; i < samples.size(); i += every) {
-    const ResidualSample& s = samples[i];
-    for (const double value : {s.pixel.x(), s.pixel.y(), s.x, s.ball_depth_mm, s.residual_mm,
-                               s.along_mm, s.across_mm, s.rim, s.factor})
-      text += fmt::format("{}{:.5g}", text.empty() ? "" : " ", std::isfinite(value) ? value : 0.0);
-  }
-  return yaml_text(text);
-}
-
-std::string press_text(const BallFit& ball, const PressResiduals* residuals, std::size_t every) {
-  YamlBlock block("");
-  block.add("press", yaml_text(ball.press));
-  block.add("ball_radius_mm", number_text(ball.radius_mm));
-  block.add("centre_mm", vector_text(ball.centre_mm));
-  block.add("centre_sd_mm", vector_text(ball.centre_sd_mm));
-  block.add("depth_mm", number_text(ball.depth_mm));
-  block.add("residual_mm", number_text(ball.residual_mm));
-  block.add("held_out_mm", number_text(ball.held_out_mm));
-  block.add("tangent_arc_deg", number_text(ball.tangent_arc_deg));
-  block.add("cut_by_edge", ball.cut_by_edge ? "true" : "false");
-  block.add("pressed_in_mm", number_text(ball.indentation_mm));
-  if (ball.given_depth)
-    block.add("measured_depth_mm",
-              yaml_list({number_text(ball.given_depth->mm), number_text(ball.given_depth->sd_mm)}));
-  if (residuals != nullptr) {
-    block.add("along_mm", number_text(residuals->along_mm));
-    block.add("across_mm", number_text(residuals->across_mm));
-    block.add("contact_radius_mm", number_text(residuals->contact_radius_mm));
-    block.add("face_length_mm", number_text(residuals->face_length_mm));
-    block.add("face_width_mm", number_text(residuals->face_width_mm));
-    block.add("samples", samples_text(residuals->samples, every));
-  }
-  return "  - " + block.in_braces() + "\n";
-}
-
-Message stored_sentence(const std::string& text) {
+Message message_in(const std::string& text) {
   return message_of(nlohmann::ordered_json::parse(text, nullptr, false));
 }
 
-std::vector<Message> stored_sentences(YamlSection& top, const char* key) {
-  std::vector<Message> messages;
-  for (const std::string& text : top.texts(key)) messages.push_back(stored_sentence(text));
-  return messages;
+void describe_sentence(Fields& fields, const char* key, Message& sentence) {
+  std::string text = text_of(sentence);
+  fields.text(key, text);
+  if (fields.is_reading()) sentence = message_in(text);
 }
 
-double number_of(YamlSection& section, const char* key) { return section.number(key, kAnyNumber); }
-
-Eigen::Vector3d vector_of(YamlSection& section, const char* key) {
-  const std::vector<double> v = section.numbers(key, 3, 3, kAnyNumber);
-  return {v[0], v[1], v[2]};
+void describe_sentences(Fields& fields, const char* key, std::vector<Message>& sentences) {
+  std::vector<std::string> texts;
+  for (const Message& sentence : sentences) texts.push_back(text_of(sentence));
+  fields.texts(key, texts);
+  if (!fields.is_reading()) return;
+  for (const std::string& text : texts) sentences.push_back(message_in(text));
 }
 
-bool flag_of(YamlSection& section, const char* key) {
-  return section.choice(key, {"false", "true"}) == 1;
-}
-
-std::vector<ResidualSample> samples_of(YamlSection& section) {
-  const std::string text = section.text("samples");
-  std::vector<ResidualSample> samples;
+void describe_samples(Fields& fields, std::vector<ResidualSample>& samples) {
+  std::string text;
+  for (const ResidualSample& s : samples)
+    for (const double value : {s.pixel.x(), s.pixel.y(), s.x, s.ball_depth_mm, s.residual_mm,
+                               s.along_mm, s.across_mm, s.rim, s.factor})
+      text += fmt::format("{}{:.5g}", text.empty() ? "" : " ", std::isfinite(value) ? value : 0.0);
+  fields.text("samples", text);
+  if (!fields.is_reading()) return;
   const char* at = text.data();
   const char* const end = at + text.size();
   while (at != end) {
@@ -110,79 +74,104 @@ std::vector<ResidualSample> samples_of(YamlSection& section) {
     for (double& value : n) {
       if (at != end && *at == ' ') ++at;
       const auto [next, failed] = std::from_chars(at, end, value);
-      if (failed != std::errc{} || !std::isfinite(value))
-        section.refuse("samples", en::say("is not a number"), en::say("calibrating again"));
+      fields.demand(failed == std::errc{} && std::isfinite(value), "samples",
+                    en::say("is not a number"), en::say("calibrating again"));
       at = next;
     }
     samples.push_back({{n[0], n[1]}, n[2], n[3], n[4], n[5], n[6], n[7], n[8]});
   }
-  return samples;
 }
 
-void read_press(YamlSection section, FingerCalibration& done) {
-  BallFit ball;
-  ball.press = section.text("press");
-  ball.radius_mm = number_of(section, "ball_radius_mm");
-  ball.centre_mm = vector_of(section, "centre_mm");
-  ball.centre_sd_mm = vector_of(section, "centre_sd_mm");
-  ball.depth_mm = number_of(section, "depth_mm");
-  ball.residual_mm = number_of(section, "residual_mm");
-  ball.held_out_mm = number_of(section, "held_out_mm");
-  ball.tangent_arc_deg = number_of(section, "tangent_arc_deg");
-  ball.cut_by_edge = flag_of(section, "cut_by_edge");
-  ball.indentation_mm = number_of(section, "pressed_in_mm");
-  if (section.has("measured_depth_mm")) {
-    const auto depth = section.numbers("measured_depth_mm", 2, 2, kAnyNumber);
-    ball.given_depth = GivenDepth{depth[0], depth[1]};
+void describe_ball(Fields& fields, BallFit& ball) {
+  fields.text("press", ball.press);
+  describe_figure(fields, "ball_radius_mm", ball.radius_mm);
+  describe_vector(fields, "centre_mm", ball.centre_mm);
+  describe_vector(fields, "centre_sd_mm", ball.centre_sd_mm);
+  describe_figure(fields, "depth_mm", ball.depth_mm);
+  describe_figure(fields, "residual_mm", ball.residual_mm);
+  describe_figure(fields, "held_out_mm", ball.held_out_mm);
+  describe_figure(fields, "tangent_arc_deg", ball.tangent_arc_deg);
+  fields.flag("cut_by_edge", ball.cut_by_edge);
+  describe_figure(fields, "pressed_in_mm", ball.indentation_mm);
+  if (fields.has(may("measured_depth_mm"), ball.given_depth))
+    fields.numbers("measured_depth_mm", {&ball.given_depth->mm, &ball.given_depth->sd_mm},
+                   kAnyNumber);
+}
+
+void describe_residuals(Fields& fields, PressResiduals& residuals) {
+  describe_figure(fields, "along_mm", residuals.along_mm);
+  describe_figure(fields, "across_mm", residuals.across_mm);
+  describe_figure(fields, "contact_radius_mm", residuals.contact_radius_mm);
+  describe_figure(fields, "face_length_mm", residuals.face_length_mm);
+  describe_figure(fields, "face_width_mm", residuals.face_width_mm);
+  describe_samples(fields, residuals.samples);
+}
+
+/// Up to kMaxSamples in all.
+void thin_samples(std::vector<PressResiduals>& residuals) {
+  std::size_t count = 0;
+  for (const PressResiduals& press : residuals) count += press.samples.size();
+  const std::size_t every = std::max<std::size_t>(1, (count + kMaxSamples - 1) / kMaxSamples);
+  for (PressResiduals& press : residuals) {
+    std::size_t number = 0;
+    std::erase_if(press.samples, [&](const ResidualSample&) { return number++ % every != 0; });
   }
-  if (section.has("samples")) {
-    PressResiduals residuals;
-    residuals.press = ball.press;
-    residuals.along_mm = number_of(section, "along_mm");
-    residuals.across_mm = number_of(section, "across_mm");
-    residuals.contact_radius_mm = number_of(section, "contact_radius_mm");
-    residuals.face_length_mm = number_of(section, "face_length_mm");
-    residuals.face_width_mm = number_of(section, "face_width_mm");
-    residuals.samples = samples_of(section);
-    done.residuals.push_back(std::move(residuals));
+}
+
+void describe_press(Fields& fields, BallFit& ball, std::vector<PressResiduals>& residuals) {
+  describe_ball(fields, ball);
+  if (fields.is_reading()) {
+    if (fields.has(may("samples"))) {
+      describe_residuals(fields, residuals.emplace_back());
+      residuals.back().press = ball.press;
+    }
+  } else if (const auto found =
+                 std::find_if(residuals.begin(), residuals.end(),
+                              [&](const PressResiduals& one) { return one.press == ball.press; });
+             found != residuals.end()) {
+    describe_residuals(fields, *found);
   }
-  done.calibration.balls.push_back(std::move(ball));
 }
 
-PressAdvice read_advice(YamlSection section) {
-  PressAdvice advice;
-  advice.enough = flag_of(section, "enough");
-  advice.along_mm = number_of(section, "along_mm");
-  advice.across_mm = number_of(section, "across_mm");
-  advice.depth_mm = number_of(section, "depth_mm");
-  advice.sd_now_mm = number_of(section, "sd_now_mm");
-  advice.sd_then_mm = number_of(section, "sd_then_mm");
-  advice.sentence = stored_sentence(section.text("sentence"));
-  return advice;
+}  // namespace
+
+static void describe(Fields& fields, PressAdvice& advice) {
+  fields.flag("enough", advice.enough);
+  describe_figure(fields, "along_mm", advice.along_mm);
+  describe_figure(fields, "across_mm", advice.across_mm);
+  describe_figure(fields, "depth_mm", advice.depth_mm);
+  describe_figure(fields, "sd_now_mm", advice.sd_now_mm);
+  describe_figure(fields, "sd_then_mm", advice.sd_then_mm);
+  describe_sentence(fields, "sentence", advice.sentence);
 }
 
-FingerCalibration read_calibration(YamlSection& top) {
-  if (const std::string format = top.text("format"); format != kFormat)
-    top.refuse("format", en::say("'{}' cannot be read by this version", printable(format)),
-               en::say("calibrating again"));
-  FingerCalibration done;
+static void describe(Fields& fields, StepFit& step) {
+  fields.text("press", step.press);
+  describe_figure(fields, "step_mm", step.step_mm);
+  describe_figure(fields, "reads_mm", step.estimated_mm);
+  describe_figure(fields, "sd_mm", step.sd_mm);
+}
+
+static void describe(Fields& fields, FingerCalibration& done) {
   Calibration& calibration = done.calibration;
-  calibration.residual_mm = number_of(top, "residual_mm");
-  calibration.condition = number_of(top, "condition");
-  calibration.degree_choice = stored_sentence(top.text("degree_choice"));
-  calibration.left_out = stored_sentences(top, "left_out");
-  calibration.remarks = stored_sentences(top, "remarks");
-  done.fault_signs = stored_sentences(top, "fault_signs");
-  done.about_settings = stored_sentences(top, "about_settings");
-  if (top.has("next_press")) calibration.next_press = read_advice(top.section("next_press"));
-  if (top.has("steps"))
-    for (YamlSection& step : top.sections("steps"))
-      calibration.steps.push_back({step.text("press"), number_of(step, "step_mm"),
-                                   number_of(step, "reads_mm"), number_of(step, "sd_mm")});
-  if (top.has("presses"))
-    for (YamlSection& press : top.sections("presses")) read_press(press, done);
-  return done;
+  fields.format(kFormat, en::say("calibrating again"));
+  describe_figure(fields, "residual_mm", calibration.residual_mm);
+  describe_figure(fields, "condition", calibration.condition);
+  describe_sentence(fields, "degree_choice", calibration.degree_choice);
+  describe_sentences(fields, "left_out", calibration.left_out);
+  describe_sentences(fields, "remarks", calibration.remarks);
+  describe_sentences(fields, "fault_signs", done.fault_signs);
+  describe_sentences(fields, "about_settings", done.about_settings);
+  fields.section(may("next_press"), calibration.next_press);
+  fields.sections(may("steps", !calibration.steps.empty()), calibration.steps);
+  auto& balls = calibration.balls;
+  fields.sections(
+      may("presses", !balls.empty()), Fields::Layout::kBraces, balls.size(),
+      [&](std::size_t count) { balls.resize(count); },
+      [&](Fields& press, std::size_t i) { describe_press(press, balls[i], done.residuals); });
 }
+
+namespace {
 
 bool is_of(const Calibration& calibration, const MappingRecord& record) {
   return std::equal(
@@ -195,56 +184,18 @@ bool is_of(const Calibration& calibration, const MappingRecord& record) {
 }  // namespace
 
 std::string calibration_yaml(const FingerCalibration& done) {
-  const Calibration& calibration = done.calibration;
-  YamlBlock head("");
-  head.add("format", kFormat);
-  head.add("residual_mm", number_text(calibration.residual_mm));
-  head.add("condition", number_text(calibration.condition));
-  head.add("degree_choice", sentence_text(calibration.degree_choice));
-  head.add("left_out", sentences_text(calibration.left_out));
-  head.add("remarks", sentences_text(calibration.remarks));
-  head.add("fault_signs", sentences_text(done.fault_signs));
-  head.add("about_settings", sentences_text(done.about_settings));
-  std::string text = head.on_many_lines();
-  if (const auto& next = calibration.next_press) {
-    YamlBlock advice("next_press");
-    advice.add("enough", next->enough ? "true" : "false");
-    advice.add("along_mm", number_text(next->along_mm));
-    advice.add("across_mm", number_text(next->across_mm));
-    advice.add("depth_mm", number_text(next->depth_mm));
-    advice.add("sd_now_mm", number_text(next->sd_now_mm));
-    advice.add("sd_then_mm", number_text(next->sd_then_mm));
-    advice.add("sentence", sentence_text(next->sentence));
-    text += advice.on_one_line();
-  }
-  if (!calibration.steps.empty()) text += "steps:\n";
-  for (const StepFit& step : calibration.steps) {
-    YamlBlock block("");
-    block.add("press", yaml_text(step.press));
-    block.add("step_mm", number_text(step.step_mm));
-    block.add("reads_mm", number_text(step.estimated_mm));
-    block.add("sd_mm", number_text(step.sd_mm));
-    text += "  - " + block.in_braces() + "\n";
-  }
-  std::size_t count = 0;
-  for (const PressResiduals& press : done.residuals) count += press.samples.size();
-  const std::size_t every = std::max<std::size_t>(1, (count + kMaxSamples - 1) / kMaxSamples);
-  if (!calibration.balls.empty()) text += "presses:\n";
-  for (const BallFit& ball : calibration.balls) {
-    const auto found =
-        std::find_if(done.residuals.begin(), done.residuals.end(),
-                     [&](const PressResiduals& one) { return one.press == ball.press; });
-    text += press_text(ball, found != done.residuals.end() ? &*found : nullptr, every);
-  }
-  return text;
+  FingerCalibration stored;
+  stored.calibration = done.calibration;
+  stored.residuals = done.residuals;
+  thin_samples(stored.residuals);
+  stored.fault_signs = done.fault_signs;
+  stored.about_settings = done.about_settings;
+  return fields_text(std::move(stored));
 }
 
 Result<FingerCalibration> parse_calibration(const std::string& yaml, const fs::path& origin) {
   YamlFile file(origin);
-  FingerCalibration done;
-  const Status read = file.read(yaml, [&](YamlSection& top) { done = read_calibration(top); });
-  if (!read) return read.error();
-  return done;
+  return read_fields<FingerCalibration>(file, yaml);
 }
 
 Result<FingerCalibration> stored_calibration(const fs::path& folder) {

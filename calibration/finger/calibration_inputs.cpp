@@ -1,6 +1,7 @@
 #include "calibration/finger/calibration_inputs.h"
 
 #include "core/base/atomic_file.h"
+#include "core/base/fields.h"
 #include "core/base/message.h"
 #include "core/image/image_file.h"
 #include "core/numerics/checksum.h"
@@ -17,24 +18,18 @@ namespace fs = std::filesystem;
 
 /// A setting that the file does not name has its default; one of another version is preserved.
 template <class S>
-S read_settings(YamlSection section, const std::vector<Setting<S>>& table) {
-  S settings;
-  for (const Setting<S>& setting : table) {
-    if (!section.has(setting.name)) continue;
-    if (const Status status = setting.set(settings, section.text(setting.name)); !status)
-      section.refuse(setting.name, status.error().what, Message::typed(setting.range.text()));
-  }
-  return settings;
-}
-
-template <class S>
-std::string settings_text(const char* name, const S& settings, const std::vector<Setting<S>>& table,
-                          const UnknownKeys& unknown) {
-  YamlBlock block(name);
-  for (const Setting<S>& setting : table)
-    block.add(setting.name, yaml_text_or_number(setting.get(settings)));
-  block.add_unknown(unknown);
-  return block.on_one_line();
+void describe_settings(Fields& fields, const char* key, S& settings,
+                       const std::vector<Setting<S>>& table) {
+  fields.section(key, Fields::Layout::kBraces, [&](Fields& inner) {
+    for (const Setting<S>& setting : table) {
+      std::string value = setting.get(settings);
+      inner.text_or_number(may(setting.name), value);
+      if (!inner.is_reading() || !inner.has(may(setting.name))) continue;
+      if (const Status status = setting.set(settings, value); !status)
+        inner.section().refuse(setting.name, status.error().what,
+                               Message::typed(setting.range.text()));
+    }
+  });
 }
 
 bool is_checksum(const std::string& text) {
@@ -42,11 +37,10 @@ bool is_checksum(const std::string& text) {
                                           [](unsigned char c) { return std::isxdigit(c) != 0; });
 }
 
-std::string read_checksum(YamlSection& top, const char* key) {
-  std::string text = top.text(key);
-  if (!is_checksum(text))
-    top.refuse(key, en::say("is not a checksum of 16 digits"), en::say("calibrating again"));
-  return text;
+void describe_checksum(Fields& fields, const char* key, std::string& checksum) {
+  fields.quoted(key, checksum);
+  fields.demand(is_checksum(checksum), key, en::say("is not a checksum of 16 digits"),
+                en::say("calibrating again"));
 }
 
 /// A name that could leave presses/ is rejected.
@@ -54,59 +48,63 @@ bool is_plain_name(const std::string& name) {
   return !name.empty() && name != "." && name != ".." && name.find('/') == std::string::npos;
 }
 
-void read_presses(YamlSection& top, CalibrationInputs& inputs) {
-  const auto names = top.texts("presses");
-  const auto checksums = top.texts("checksums");
-  if (names.empty()) top.refuse("presses", en::say("lists no press"), en::say("calibrating again"));
-  if (names.size() != checksums.size())
-    top.refuse("checksums",
-               en::say("has {} entries for {} presses", checksums.size(), names.size()),
-               en::say("one for each press"));
+/// The names come last in the file, after its unknown keys.
+void describe_presses(Fields& fields, std::vector<StoredPress>& presses) {
+  std::vector<std::string> names, checksums;
+  for (const StoredPress& press : presses) {
+    names.push_back(press.name);
+    checksums.push_back(press.checksum);
+  }
+  fields.quoted("checksums", checksums);
+  fields.unknown_keys();
+  fields.texts("presses", names);
+  if (!fields.is_reading()) return;
+  fields.demand(!names.empty(), "presses", en::say("lists no press"), en::say("calibrating again"));
+  fields.demand(names.size() == checksums.size(), "checksums",
+                en::say("has {} entries for {} presses", checksums.size(), names.size()),
+                en::say("one for each press"));
   for (std::size_t i = 0; i < names.size(); ++i) {
-    if (!is_plain_name(names[i]))
-      top.refuse("presses", en::say("'{}' is not an image name", printable(names[i])), "");
-    if (!is_checksum(checksums[i]))
-      top.refuse("checksums",
-                 en::say("'{}' is not a checksum of 16 digits", printable(checksums[i])), "");
-    for (std::size_t before = 0; before < i; ++before)
-      if (names[before] == names[i])
-        top.refuse("presses", en::say("lists '{}' twice", printable(names[i])),
-                   en::say("delete one of the two"));
-    inputs.presses.push_back({names[i], checksums[i]});
+    fields.demand(is_plain_name(names[i]), "presses",
+                  en::say("'{}' is not an image name", printable(names[i])), "");
+    fields.demand(is_checksum(checksums[i]), "checksums",
+                  en::say("'{}' is not a checksum of 16 digits", printable(checksums[i])), "");
+    fields.demand(
+        std::count(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(i), names[i]) == 0,
+        "presses", en::say("lists '{}' twice", printable(names[i])),
+        en::say("delete one of the two"));
+    presses.push_back({names[i], checksums[i]});
   }
 }
 
 /// Notes are allowed only on existing presses.
-void refuse_unknown(const YamlSection& top, const CalibrationInputs& inputs) {
+void refuse_unknown(const Fields& fields, const CalibrationInputs& inputs) {
   for (const auto& [name, note] : inputs.press_set.notes)
-    if (std::none_of(inputs.presses.begin(), inputs.presses.end(),
-                     [&name = name](const StoredPress& press) { return press.name == name; }))
-      top.refuse("presses",
-                 en::say("'{}' is annotated, but is not among the presses", printable(name)),
-                 en::say("remove the annotation"));
-}
-
-CalibrationInputs read_inputs(YamlSection& top) {
-  CalibrationInputs inputs;
-  if (const std::string format = top.text("format"); format != CalibrationInputs::kFormat)
-    top.refuse("format", en::say("'{}' cannot be read by this version", printable(format)),
-               en::say("the version of this program that wrote it, or calibrating again with the "
-                       "images in presses/ (this version writes '{}')",
-                       std::string(CalibrationInputs::kFormat)));
-  inputs.date = top.text("date");
-  inputs.program_version = top.text("program_version");
-  inputs.press_set = read_press_set(top, true);
-  inputs.calibration = read_settings(top.section("calibration"), calibration_settings());
-  inputs.pipeline = read_settings(top.section("pipeline"), pipeline_settings());
-  inputs.is_continuous = top.choice("continuous", {"false", "true"}) == 1;
-  inputs.finger_checksum = read_checksum(top, "finger");
-  inputs.reference_checksum = read_checksum(top, "reference");
-  read_presses(top, inputs);
-  refuse_unknown(top, inputs);
-  return inputs;
+    fields.demand(std::any_of(inputs.presses.begin(), inputs.presses.end(),
+                              [&name = name](const auto& press) { return press.name == name; }),
+                  "presses",
+                  en::say("'{}' is annotated, but is not among the presses", printable(name)),
+                  en::say("remove the annotation"));
 }
 
 }  // namespace
+
+static void describe(Fields& fields, CalibrationInputs& inputs) {
+  fields.format(CalibrationInputs::kFormat,
+                en::say("the version of this program that wrote it, or calibrating again with the "
+                        "images in presses/ (this version writes '{}')",
+                        std::string(CalibrationInputs::kFormat)));
+  fields.text("date", inputs.date);
+  fields.text("program_version", inputs.program_version);
+  describe_all_presses(fields, inputs.press_set, true);
+  describe_settings(fields, "calibration", inputs.calibration, calibration_settings());
+  describe_settings(fields, "pipeline", inputs.pipeline, pipeline_settings());
+  fields.flag("continuous", inputs.is_continuous);
+  describe_checksum(fields, "finger", inputs.finger_checksum);
+  describe_checksum(fields, "reference", inputs.reference_checksum);
+  describe_single_presses(fields, inputs.press_set);
+  describe_presses(fields, inputs.presses);
+  refuse_unknown(fields, inputs);
+}
 
 Result<CalibrationInputs> CalibrationInputs::load(const fs::path& finger_folder,
                                                   std::vector<Message>* warnings) {
@@ -125,42 +123,15 @@ Result<CalibrationInputs> CalibrationInputs::load(const fs::path& finger_folder,
 Result<CalibrationInputs> CalibrationInputs::parse(const std::string& yaml, const fs::path& origin,
                                                    std::vector<Message>* warnings) {
   YamlFile file(origin);
-  CalibrationInputs inputs;
-  const Status read = file.read(yaml, [&](YamlSection& top) { inputs = read_inputs(top); });
-  if (!read) return read.error();
-  inputs.unknown_ = std::move(file.unknown());
+  auto inputs = read_fields<CalibrationInputs>(file, yaml);
+  if (!inputs) return inputs;
+  inputs->unknown_ = std::move(file.unknown());
   if (warnings != nullptr)
     warnings->insert(warnings->end(), file.warnings().begin(), file.warnings().end());
   return inputs;
 }
 
-std::string CalibrationInputs::to_yaml() const {
-  YamlBlock head("");
-  head.add("format", kFormat);
-  head.add("date", yaml_text(date));
-  head.add("program_version", yaml_text(program_version));
-  add_all_presses(press_set, head);
-  std::string text = head.on_many_lines();
-  text += settings_text("calibration", calibration, calibration_settings(), unknown_);
-  text += settings_text("pipeline", pipeline, pipeline_settings(), unknown_);
-
-  YamlBlock rest("");
-  rest.add("continuous", is_continuous ? "true" : "false");
-  rest.add("finger", '"' + finger_checksum + '"');
-  rest.add("reference", '"' + reference_checksum + '"');
-  add_single_presses(press_set, rest);
-  std::vector<std::string> names, checksums;
-  for (const StoredPress& press : presses) {
-    names.push_back(yaml_text(press.name));
-    checksums.push_back('"' + press.checksum + '"');
-  }
-  rest.add("checksums", yaml_list(checksums));
-  rest.add_unknown(unknown_);
-  text += rest.on_many_lines();
-  YamlBlock last("");
-  last.add("presses", yaml_list(names));
-  return text + last.on_many_lines();
-}
+std::string CalibrationInputs::to_yaml() const { return fields_text(*this, unknown_); }
 
 fs::path stored_press_file(const fs::path& finger_folder, const std::string& name) {
   return finger_folder / kPressFolder / (name + ".png");

@@ -2,8 +2,8 @@
 
 #include "calibration/finger/calibration_inputs.h"
 #include "core/base/atomic_file.h"
+#include "core/base/fields.h"
 #include "core/base/message.h"
-#include "core/base/yaml.h"
 
 #include <algorithm>
 #include <cassert>
@@ -31,52 +31,67 @@ const Setting<PipelineSettings>* setting_named(const std::string& name) {
   return nullptr;
 }
 
+/// True where the file has a block of this key; another value counts as unknown.
+bool has_block(Fields& fields, const char* key, bool is_written) {
+  return fields.is_reading() ? fields.section().has_section(key) : is_written;
+}
+
 /// Rejects values that this version cannot set. Requested settings of another version are
 /// preserved, but not used.
-Changes read_changes(YamlSection section) {
-  Changes changes;
-  for (const auto& [name, value] : section.all_texts()) {
-    const auto* setting = setting_named(name);
-    if (setting == nullptr)
-      section.refuse(name, en::say("is not a setting of this version"), en::say("a new study"));
-    PipelineSettings scratch;
-    if (const Status status = setting->set(scratch, value); !status)
-      section.refuse(name, status.error().what, Message::typed(setting->range.text()));
-    changes[name] = value;
-  }
-  return changes;
+void describe_changes(Fields& fields, const char* key, Changes& changes) {
+  fields.section(key, Fields::Layout::kBraces, [&](Fields& inner) {
+    if (!inner.is_reading()) {
+      for (const auto& setting : pipeline_settings())
+        if (const auto found = changes.find(setting.name); found != changes.end())
+          inner.text_or_number(setting.name, found->second);
+      return;
+    }
+    changes = inner.section().all_texts();
+    for (const auto& [name, value] : changes) {
+      const auto* setting = setting_named(name);
+      if (setting == nullptr)
+        inner.section().refuse(name, en::say("is not a setting of this version"),
+                               en::say("a new study"));
+      PipelineSettings scratch;
+      if (const Status status = setting->set(scratch, value); !status)
+        inner.section().refuse(name, status.error().what, Message::typed(setting->range.text()));
+    }
+  });
 }
 
-void read_preset(const std::string& name, YamlSection section, MeasuringFile& file) {
-  MeasuringPreset preset;
-  preset.name = name;
-  preset.frame_ms = section.number("frame_ms", kFigure);
-  preset.median_mm = section.number("median_mm", kFigure);
-  preset.p95_mm = section.number("p95_mm", kFigure);
-  file.stored.presets.push_back(std::move(preset));
-  if (section.has_section("settings"))
-    file.preset_changes[name] = read_changes(section.section("settings"));
+void describe_preset(Fields& fields, MeasuringPreset& preset, Changes& changes) {
+  fields.number("frame_ms", preset.frame_ms, kFigure);
+  fields.number("median_mm", preset.median_mm, kFigure);
+  fields.number("p95_mm", preset.p95_mm, kFigure);
+  if (has_block(fields, "settings", !changes.empty()))
+    describe_changes(fields, "settings", changes);
 }
 
-MeasuringFile read_measuring(YamlSection& top) {
-  MeasuringFile file;
-  if (const std::string format = top.text("format"); format != MeasuringPresets::kFormat)
-    top.refuse("format", en::say("'{}' cannot be read by this version", printable(format)),
-               en::say("studying the finger again"));
-  if (top.has("used")) file.stored.used = top.text("used");
-  if (top.has_section("used_settings"))
-    file.used_changes = read_changes(top.section("used_settings"));
-  if (!top.has_section("study")) return file;
-  YamlSection study = top.section("study");
-  file.stored.date = study.text("date");
-  file.stored.program_version = study.text("program_version");
-  file.stored.machine = study.text("machine");
-  file.stored.about = study.text("about");
-  file.base = read_changes(top.section("base"));
-  if (!top.has_section("presets")) return file;
-  YamlSection presets = top.section("presets");
-  for (const std::string& name : presets.keys()) read_preset(name, presets.section(name), file);
-  return file;
+void describe(Fields& fields, MeasuringFile& file) {
+  using Layout = Fields::Layout;
+  MeasuringPresets& stored = file.stored;
+  fields.format(MeasuringPresets::kFormat, en::say("studying the finger again"));
+  fields.text(may("used", !stored.used.empty()), stored.used);
+  if (has_block(fields, "used_settings", !stored.used.empty() && !file.used_changes.empty()))
+    describe_changes(fields, "used_settings", file.used_changes);
+  if (!has_block(fields, "study", !stored.date.empty())) return;
+  fields.section("study", Layout::kLines, [&](Fields& study) {
+    study.text("date", stored.date);
+    study.text("program_version", stored.program_version);
+    study.text("machine", stored.machine);
+    study.text("about", stored.about);
+  });
+  describe_changes(fields, "base", file.base);
+  if (!has_block(fields, "presets", !stored.presets.empty())) return;
+  fields.section("presets", Layout::kLines, [&](Fields& presets) {
+    if (presets.is_reading())
+      for (const std::string& name : presets.section().keys())
+        stored.presets.emplace_back().name = name;
+    for (MeasuringPreset& preset : stored.presets)
+      presets.section(preset.name, Layout::kBraces, [&](Fields& one) {
+        describe_preset(one, preset, file.preset_changes[preset.name]);
+      });
+  });
 }
 
 fs::path file_in(const fs::path& folder) { return folder / kMeasuringFile; }
@@ -88,51 +103,7 @@ Result<MeasuringFile> load_measuring(const fs::path& folder) {
   const auto content = read_file(file_in(folder), YamlFile::kMaxBytes);
   if (!content) return content.error();
   YamlFile yaml(file_in(folder));
-  MeasuringFile file;
-  const Status read = yaml.read(*content, [&](YamlSection& top) { file = read_measuring(top); });
-  if (!read) return read.error();
-  return file;
-}
-
-std::string in_braces(const Changes& values) {
-  YamlBlock block("");
-  for (const auto& setting : pipeline_settings())
-    if (const auto found = values.find(setting.name); found != values.end())
-      block.add(setting.name, yaml_text_or_number(found->second));
-  return block.in_braces();
-}
-
-std::string yaml_of(const MeasuringFile& file) {
-  const MeasuringPresets& stored = file.stored;
-  YamlBlock head("");
-  head.add("format", MeasuringPresets::kFormat);
-  if (!stored.used.empty()) {
-    head.add("used", yaml_text(stored.used));
-    if (!file.used_changes.empty()) head.add("used_settings", in_braces(file.used_changes));
-  }
-  std::string text = head.on_many_lines();
-  if (stored.date.empty()) return text;
-  YamlBlock study("study");
-  study.add("date", yaml_text(stored.date));
-  study.add("program_version", yaml_text(stored.program_version));
-  study.add("machine", yaml_text(stored.machine));
-  study.add("about", yaml_text(stored.about));
-  text += study.on_many_lines();
-  YamlBlock rest("");
-  rest.add("base", in_braces(file.base));
-  text += rest.on_many_lines();
-  YamlBlock presets("presets");
-  for (const auto& preset : stored.presets) {
-    YamlBlock one("");
-    one.add("frame_ms", yaml_number(preset.frame_ms));
-    one.add("median_mm", yaml_number(preset.median_mm));
-    one.add("p95_mm", yaml_number(preset.p95_mm));
-    if (const auto changes = file.preset_changes.find(preset.name);
-        changes != file.preset_changes.end() && !changes->second.empty())
-      one.add("settings", in_braces(changes->second));
-    presets.add(preset.name, one.in_braces());
-  }
-  return presets.is_empty() ? text : text + presets.on_many_lines();
+  return read_fields<MeasuringFile>(yaml, *content);
 }
 
 PipelineSettings with_changes(PipelineSettings settings, const Changes& changes) {
@@ -156,7 +127,7 @@ Status change_file(FingerStore& store, const std::function<void(MeasuringFile&)>
     auto file = load_measuring(folder);
     if (!file) return file.error();
     change(*file);
-    return yaml_of(*file);
+    return fields_text(*file);
   });
 }
 

@@ -4,6 +4,7 @@
 #include "calibration/finger/measuring_presets.h"
 #include "calibration/study/study_machine.h"
 #include "core/base/atomic_file.h"
+#include "core/base/json_fields.h"
 #include "core/base/utc_time.h"
 #include "core/numerics/philox.h"
 
@@ -20,99 +21,65 @@ namespace {
 using Json = nlohmann::json;
 constexpr std::array<const char*, kFaceZones> kZoneKeys{"base", "middle", "tip"};
 
-Json settings_json(const PipelineSettings& settings) {
-  Json json;
-  for (const auto& setting : pipeline_settings()) json[setting.name] = setting.get(settings);
-  return json;
-}
-
-Json errors_json(const StudyRow& row) {
-  Json json{{"frames", row.frames}, {"frames_missing", row.frames_missing}};
-  const auto add = [&](const std::string& name, const std::optional<ErrorSpread>& spread) {
-    if (!spread) return;
-    json[name] = {{"median_mm", spread->median_mm}, {"p95_mm", spread->p95_mm}};
-  };
-  add("depth", row.depth);
+void describe_zones(JsonFields& fields,
+                    std::array<std::optional<ErrorSpread>, kFaceZones>& depth_by_zone) {
   for (std::size_t zone = 0; zone < kFaceZones; ++zone)
-    add(std::string("depth_") + kZoneKeys[zone], row.depth_by_zone[zone]);
-  if (row.coverage) json["coverage"] = *row.coverage;
-  if (row.false_depth_mm) json["false_depth_mm"] = *row.false_depth_mm;
-  if (row.position_mm) json["place_mm"] = *row.position_mm;
-  if (row.position_p95_mm) json["place_p95_mm"] = *row.position_p95_mm;
-  if (row.angle_deg) json["angle_deg"] = *row.angle_deg;
-  if (row.angle_p95_deg) json["angle_p95_deg"] = *row.angle_p95_deg;
-  json["bars"] = row.bars;
-  json["bars_missing"] = row.bars_missing;
-  return json;
+    fields.field(std::string("depth_") + kZoneKeys[zone], depth_by_zone[zone]);
 }
 
-Json real_json(const RealErrors& real) {
-  Json json{{"presses", real.presses}, {"presses_missing", real.presses_missing}};
-  json["depth"] = {{"median_mm", real.depth.median_mm}, {"p95_mm", real.depth.p95_mm}};
-  for (std::size_t zone = 0; zone < kFaceZones; ++zone)
-    if (const auto& spread = real.depth_by_zone[zone])
-      json[std::string("depth_") + kZoneKeys[zone]] = {{"median_mm", spread->median_mm},
-                                                       {"p95_mm", spread->p95_mm}};
-  return json;
+void describe_errors(JsonFields& errors, StudyRow& row) {
+  errors.field("frames", row.frames);
+  errors.field("frames_missing", row.frames_missing);
+  errors.field("depth", row.depth);
+  describe_zones(errors, row.depth_by_zone);
+  errors.field("coverage", row.coverage);
+  errors.field("false_depth_mm", row.false_depth_mm);
+  errors.field("place_mm", row.position_mm);
+  errors.field("place_p95_mm", row.position_p95_mm);
+  errors.field("angle_deg", row.angle_deg);
+  errors.field("angle_p95_deg", row.angle_p95_deg);
+  errors.field("bars", row.bars);
+  errors.field("bars_missing", row.bars_missing);
 }
 
-Json times_json(const StudyRow& row) {
-  return {{"median_ms", row.time_ms},
-          {"p95_ms", row.time_p95_ms},
-          {"ratio", row.time_ratio},
-          {"memory_bytes", row.memory_bytes}};
-}
-
-std::optional<double> number_at(const Json& json, const char* name) {
-  const auto found = json.find(name);
-  return found == json.end() ? std::nullopt : std::optional(found->get<double>());
-}
-
-std::optional<ErrorSpread> spread_at(const Json& json, const std::string& name) {
-  const auto found = json.find(name);
-  if (found == json.end()) return std::nullopt;
-  return ErrorSpread{found->at("median_mm"), found->at("p95_mm")};
-}
-
-RealErrors real_from(const Json& json) {
-  RealErrors real;
-  real.presses = json.at("presses");
-  real.presses_missing = json.at("presses_missing");
-  real.depth = spread_at(json, "depth").value_or(ErrorSpread{});
-  for (std::size_t zone = 0; zone < kFaceZones; ++zone)
-    real.depth_by_zone[zone] = spread_at(json, std::string("depth_") + kZoneKeys[zone]);
-  return real;
-}
-
-// nullopt: an unknown setting, or a value outside its range.
-std::optional<StudyRow> row_from(const Json& json) {
-  StudyRow row;
+/// Refuses an unknown setting, or a value outside its range.
+void describe_settings(JsonFields& fields, PipelineSettings& settings) {
   for (const auto& setting : pipeline_settings()) {
-    const auto value = json.at("settings").at(setting.name).get<std::string>();
-    if (!setting.set(row.settings, value)) return std::nullopt;
+    std::string value = setting.get(settings);
+    fields.field(setting.name, value);
+    if (fields.is_reading() && !setting.set(settings, value)) throw std::out_of_range(setting.name);
   }
-  const Json& errors = json.at("errors");
-  row.frames = errors.at("frames");
-  row.frames_missing = errors.at("frames_missing");
-  row.depth = spread_at(errors, "depth");
-  for (std::size_t zone = 0; zone < kFaceZones; ++zone)
-    row.depth_by_zone[zone] = spread_at(errors, std::string("depth_") + kZoneKeys[zone]);
-  row.coverage = number_at(errors, "coverage");
-  row.false_depth_mm = number_at(errors, "false_depth_mm");
-  row.position_mm = number_at(errors, "place_mm");
-  row.position_p95_mm = number_at(errors, "place_p95_mm");
-  row.angle_deg = number_at(errors, "angle_deg");
-  row.angle_p95_deg = number_at(errors, "angle_p95_deg");
-  row.bars = errors.at("bars");
-  row.bars_missing = errors.at("bars_missing");
-  if (const auto real = json.find("real"); real != json.end()) row.real = real_from(*real);
-  const Json& times = json.at("times");
-  row.time_ms = times.at("median_ms");
-  row.time_p95_ms = times.at("p95_ms");
-  row.time_ratio = times.at("ratio");
-  row.memory_bytes = times.at("memory_bytes");
-  return row;
 }
+
+}  // namespace
+
+static void describe(JsonFields& fields, ErrorSpread& spread) {
+  fields.field("median_mm", spread.median_mm);
+  fields.field("p95_mm", spread.p95_mm);
+}
+
+static void describe(JsonFields& fields, RealErrors& real) {
+  fields.field("presses", real.presses);
+  fields.field("presses_missing", real.presses_missing);
+  std::optional<ErrorSpread> depth = real.depth;
+  fields.field("depth", depth);
+  real.depth = *depth;  // the file may lack it
+  describe_zones(fields, real.depth_by_zone);
+}
+
+static void describe(JsonFields& fields, StudyRow& row) {
+  fields.section("settings", [&](JsonFields& inner) { describe_settings(inner, row.settings); });
+  fields.section("errors", [&](JsonFields& inner) { describe_errors(inner, row); });
+  fields.section("times", [&](JsonFields& times) {
+    times.field("median_ms", row.time_ms);
+    times.field("p95_ms", row.time_p95_ms);
+    times.field("ratio", row.time_ratio);
+    times.field("memory_bytes", row.memory_bytes);
+  });
+  fields.field("real", row.real);
+}
+
+namespace {
 
 std::string micrometres(const std::optional<double>& mm) {
   return mm ? fmt::format("{:.1f}", 1000 * *mm) : "-";
@@ -145,31 +112,22 @@ std::string text_line(const AccuracyStudy& study, std::size_t number) {
 
 }  // namespace
 
-std::string line_of(const StudyRow& row) {
-  Json json{{"settings", settings_json(row.settings)},
-            {"errors", errors_json(row)},
-            {"times", times_json(row)}};
-  if (row.real) json["real"] = real_json(*row.real);
-  return json.dump() + "\n";
-}
+std::string line_of(const StudyRow& row) { return Json(written_json(row)).dump() + "\n"; }
 
 Result<std::vector<StudyRow>> rows_of_lines(std::string_view lines, const std::string& where) {
   std::vector<StudyRow> rows;
   while (!lines.empty()) {
     const std::size_t end = lines.find('\n');
     if (end == std::string_view::npos) break;  // truncated while it was written
-    const Json json = Json::parse(lines.substr(0, end), nullptr, false);
-    lines.remove_prefix(end + 1);
-    std::optional<StudyRow> row;
     try {
-      if (!json.is_discarded()) row = row_from(json);
-    } catch (const Json::exception&) {
-      row.reset();
-    }
-    if (!row)
+      const auto json = JsonFields::Json::parse(lines.substr(0, end));
+      JsonFields fields(json, {});
+      describe(fields, rows.emplace_back());
+    } catch (const std::exception&) {
       return Error{en::say("is not a study file of this program"), where,
                    en::say("remove it, and the study begins anew")};
-    rows.push_back(std::move(*row));
+    }
+    lines.remove_prefix(end + 1);
   }
   return rows;
 }
@@ -185,12 +143,9 @@ Json json_of(const AccuracyStudy& study) {
   Json& rows = json["rows"] = Json::array();
   for (std::size_t i = 0; i < study.rows.size(); ++i) {
     const StudyRow& row = study.rows[i];
-    Json entry{{"words", words_of(row.settings, study.rows.front().settings).english()},
-               {"settings", settings_json(row.settings)},
-               {"errors", errors_json(row)},
-               {"times", times_json(row)},
-               {"on_front", std::find(front.begin(), front.end(), i) != front.end()}};
-    if (row.real) entry["real"] = real_json(*row.real);
+    Json entry = written_json(row);
+    entry["words"] = words_of(row.settings, study.rows.front().settings).english();
+    entry["on_front"] = std::find(front.begin(), front.end(), i) != front.end();
     const StudyBalance balance = balance_of(study, row);
     entry["loses"] = phrases_json(balance.loses);
     entry["brings"] = phrases_json(balance.brings);

@@ -16,7 +16,7 @@ std::string numbers(const Eigen::Vector3d& point) {
 }
 
 std::string camera_text(const CameraParameters& camera) {
-  YamlBlock block("camera");
+  YamlBlock block("");
   block.add("model", std::string(to_string(camera.model)));
   block.add("size", fmt::format("[{}, {}]", camera.width_px, camera.height_px));
   if (camera.model == CameraModel::kOrthographic) {
@@ -27,18 +27,18 @@ std::string camera_text(const CameraParameters& camera) {
   }
   block.add("cx", yaml_number(camera.cx_px));
   block.add("cy", yaml_number(camera.cy_px));
-  return "  " + block.on_one_line();
+  return fmt::format("  camera: {}\n", block.in_braces());
 }
 
 std::string face_text(const Face& face) {
-  YamlBlock block("face");
+  YamlBlock block("");
   block.add("kind", face.kind == FaceKind::kFlat ? "flat" : "fin_ray");
   block.add("layer_mm", yaml_number(face.layer_mm));
   if (face.kind == FaceKind::kFlat)
     block.add("plane_z_mm", yaml_number(face.plane_z_mm));
   else
     block.add("width_mm", yaml_number(face.width_mm));
-  return "  " + block.on_one_line();
+  return fmt::format("  face: {}\n", block.in_braces());
 }
 
 /// Effects as lines, each with its source.

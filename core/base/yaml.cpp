@@ -652,14 +652,16 @@ std::string YamlBlock::in_braces() const {
   return fmt::format("{{{}}}", fmt::join(parts, ", "));
 }
 
-std::string YamlBlock::on_one_line() const { return fmt::format("{}: {}\n", name_, in_braces()); }
+std::string YamlBlock::on_lines(const std::string& indent) const {
+  std::string text;
+  for (const auto& [key, value] : entries_)
+    text += fmt::format("\n{}{}:{}{}", indent, yaml_text(key), value.starts_with('\n') ? "" : " ",
+                        value);
+  return text;
+}
 
 std::string YamlBlock::on_many_lines() const {
-  std::string text = name_.empty() ? "" : name_ + ":\n";
-  const std::string_view indent = name_.empty() ? "" : "  ";
-  for (const auto& [key, value] : entries_)
-    text += fmt::format("{}{}: {}\n", indent, yaml_text(key), value);
-  return text;
+  return is_empty() ? "" : on_lines("").substr(1) + "\n";
 }
 
 }  // namespace alltact

@@ -179,6 +179,7 @@ class YamlSection {
 /// The keys of a section in order, followed by the unknown ones of the file.
 class YamlBlock {
  public:
+  /// `name`: of the section ("camera.port"); empty for the top of the file.
   explicit YamlBlock(std::string name) : name_(std::move(name)) {}
   /// `value` as the functions above write it.
   void add(std::string key, std::string value);
@@ -186,14 +187,16 @@ class YamlBlock {
   void add_unknown(const UnknownKeys& unknown);
   [[nodiscard]] bool is_empty() const { return entries_.empty(); }
 
+  /// "camera.port" for the key "port".
+  [[nodiscard]] std::string full_name(const std::string& key) const {
+    return name_.empty() ? key : name_ + "." + key;
+  }
+
   /// "{a: 1, b: 2}".
   [[nodiscard]] std::string in_braces() const;
-  /// "name: {a: 1, b: 2}\n".
-  [[nodiscard]] std::string on_one_line() const;
-  /// "name:
-  ///   a: 1
-  ///   b: 2
-  /// "; without name and indent when the name is empty.
+  /// "\n  a: 1\n  b: 2" for the indent "  "; a value may be such lines itself.
+  [[nodiscard]] std::string on_lines(const std::string& indent) const;
+  /// As an entire file: "a: 1\nb: 2\n".
   [[nodiscard]] std::string on_many_lines() const;
 
  private:

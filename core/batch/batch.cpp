@@ -1,18 +1,16 @@
 #include "core/batch/batch.h"
 
 #include "core/base/guarded.h"
+#include "core/base/json_fields.h"
 #include "core/numerics/parallel.h"
 #include "core/sensing/result_json.h"
 
 #include <cassert>
 #include <condition_variable>
 #include <deque>
-#include <limits>
 #include <map>
 #include <mutex>
 #include <utility>
-
-#include <nlohmann/json.hpp>
 
 namespace alltact {
 namespace {
@@ -175,129 +173,62 @@ Status measure_batch(Source& source, std::vector<Pipeline>& pipelines, const Bat
   return Batch(source, pipelines, frames, work, job).run();
 }
 
-namespace {
-
-using Json = nlohmann::ordered_json;
-
-// A number that is not finite is null.
-double number_of(const Json& number) {
-  return number.is_null() ? std::numeric_limits<double>::quiet_NaN() : number.get<double>();
+static void describe(JsonFields& fields, PositionOnFinger& position) {
+  fields.field("along_mm", position.along_mm);
+  fields.field("limits", position.limits);
+  fields.field("across_mm", position.across_mm);
+  fields.field("depth_mm", position.depth_mm);
+  fields.field("along_sd_mm", position.along_sd_mm);
+  fields.field("across_sd_mm", position.across_sd_mm);
+  fields.field("depth_sd_mm", position.depth_sd_mm);
 }
 
-void put(Json& entry, const char* key, const std::optional<double>& number) {
-  if (number) entry[key] = *number;
+static void describe(JsonFields& fields, ContactEvidence::Indentation& indentation) {
+  fields.field("position", indentation.position);
+  fields.field("direction", indentation.direction);
+  fields.field("on_skin_mm", indentation.on_skin_mm);
+  fields.field("on_skin_covariance_mm2", indentation.on_skin_covariance_mm2);
 }
 
-std::optional<double> number_in(const Json& entry, const char* key) {
-  if (!entry.contains(key)) return std::nullopt;
-  return number_of(entry.at(key));
+static void describe(JsonFields& fields, ContactEvidence::Deflection& deflection) {
+  int face = static_cast<int>(deflection.face);
+  fields.field("face", face);
+  if (face < 1 || face > 4) throw std::out_of_range("face");
+  deflection.face = static_cast<PushedFace>(face);
+  fields.field("direction", deflection.direction);
+  fields.field("direction_sd_deg", deflection.direction_sd_deg);
+  fields.field("position", deflection.position);
 }
 
-template <class Matrix>
-Json numbers_json(const Matrix& matrix) {
-  Json numbers = Json::array();
-  for (const double number : matrix.reshaped()) numbers.push_back(number);
-  return numbers;
+static void describe(JsonFields& fields, ContactEvidence& evidence) {
+  fields.field("push", evidence.push);
+  fields.field("time_s", evidence.time_s);
+  fields.field("depth", evidence.depth);
+  fields.field("is_face_pressed", evidence.is_face_pressed);
+  fields.field("indentation", evidence.indentation);
+  fields.field("deflection", evidence.deflection);
 }
 
-template <class Matrix>
-Matrix matrix_of(const Json& numbers) {
-  Matrix matrix;
-  for (Eigen::Index i = 0; i < matrix.size(); ++i)
-    matrix.reshaped()[i] = number_of(numbers.at(static_cast<std::size_t>(i)));
-  return matrix;
+static void describe(JsonFields& fields, FrameLine& frame) {
+  fields.field("frame", frame.frame);
+  fields.field("line", frame.line);
+  fields.field("measured", frame.is_measured);
+  fields.field("total_ms", frame.total_ms);
+  fields.field("evidence", frame.evidence);
 }
-
-Json position_json(const PositionOnFinger& position) {
-  Json entry = {{"along_mm", position.along_mm}, {"limits", position.limits}};
-  put(entry, "across_mm", position.across_mm);
-  put(entry, "depth_mm", position.depth_mm);
-  put(entry, "along_sd_mm", position.along_sd_mm);
-  put(entry, "across_sd_mm", position.across_sd_mm);
-  put(entry, "depth_sd_mm", position.depth_sd_mm);
-  return entry;
-}
-
-PositionOnFinger position_of(const Json& entry) {
-  return {number_of(entry.at("along_mm")),       number_in(entry, "across_mm"),
-          number_in(entry, "depth_mm"),          number_in(entry, "along_sd_mm"),
-          number_in(entry, "across_sd_mm"),      number_in(entry, "depth_sd_mm"),
-          entry.at("limits").get<std::uint8_t>()};
-}
-
-Json evidence_json(const ContactEvidence& evidence) {
-  Json entry = {{"push", evidence.push}};
-  put(entry, "time_s", evidence.time_s);
-  put(entry, "depth", evidence.depth);
-  if (evidence.is_face_pressed) entry["is_face_pressed"] = *evidence.is_face_pressed;
-  if (const auto& indentation = evidence.indentation) {
-    Json& part = entry["indentation"];
-    part["position"] = position_json(indentation->position);
-    if (indentation->direction) part["direction"] = numbers_json(*indentation->direction);
-    if (indentation->on_skin_mm) part["on_skin_mm"] = numbers_json(*indentation->on_skin_mm);
-    part["on_skin_covariance_mm2"] = numbers_json(indentation->on_skin_covariance_mm2);
-  }
-  if (const auto& deflection = evidence.deflection) {
-    Json& part = entry["deflection"];
-    part["face"] = static_cast<int>(deflection->face);
-    part["direction"] = numbers_json(deflection->direction);
-    part["direction_sd_deg"] = deflection->direction_sd_deg;
-    if (deflection->position) part["position"] = position_json(*deflection->position);
-  }
-  return entry;
-}
-
-ContactEvidence evidence_of(const Json& entry) {
-  ContactEvidence evidence;
-  evidence.push = number_of(entry.at("push"));
-  evidence.time_s = number_in(entry, "time_s");
-  evidence.depth = number_in(entry, "depth");
-  if (entry.contains("is_face_pressed")) evidence.is_face_pressed = entry.at("is_face_pressed");
-  if (entry.contains("indentation")) {
-    const Json& part = entry.at("indentation");
-    auto& indentation = evidence.indentation.emplace();
-    indentation.position = position_of(part.at("position"));
-    if (part.contains("direction"))
-      indentation.direction = matrix_of<Eigen::Vector3d>(part.at("direction"));
-    if (part.contains("on_skin_mm"))
-      indentation.on_skin_mm = matrix_of<Eigen::Vector2d>(part.at("on_skin_mm"));
-    indentation.on_skin_covariance_mm2 =
-        matrix_of<Eigen::Matrix2d>(part.at("on_skin_covariance_mm2"));
-  }
-  if (entry.contains("deflection")) {
-    const Json& part = entry.at("deflection");
-    auto& deflection = evidence.deflection.emplace();
-    const int face = part.at("face");
-    if (face < 1 || face > 4) throw std::out_of_range("face");
-    deflection.face = static_cast<PushedFace>(face);
-    deflection.direction = matrix_of<Eigen::Vector3d>(part.at("direction"));
-    deflection.direction_sd_deg = number_of(part.at("direction_sd_deg"));
-    if (part.contains("position")) deflection.position = position_of(part.at("position"));
-  }
-  return evidence;
-}
-
-}  // namespace
 
 std::string FrameLine::to_json() const {
-  Json json;
-  json["frame"] = frame;
-  json["line"] = line;
-  json["measured"] = is_measured;
-  json["total_ms"] = total_ms;
-  if (evidence) json["evidence"] = evidence_json(*evidence);
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  using Json = JsonFields::Json;
+  return written_json(*this).dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 Result<FrameLine> FrameLine::from_json(std::string_view text) {
   try {
-    const Json json = Json::parse(text);
+    const auto json = JsonFields::Json::parse(text);
     FrameLine frame;
-    frame.frame = json.at("frame");
-    frame.line = json.at("line");
-    frame.is_measured = json.at("measured");
-    frame.total_ms = json.at("total_ms");
-    if (json.contains("evidence")) frame.evidence = evidence_of(json.at("evidence"));
+    JsonFields fields(json, {.null_is_nan = true});
+    describe(fields, frame);
+    if (std::isnan(frame.total_ms)) throw std::out_of_range("total_ms");
     return frame;
   } catch (const std::exception&) {
     return Error{en::say("one of its lines is damaged"), "",

@@ -1,6 +1,7 @@
 #include "core/finger/force_model.h"
 
 #include "core/base/atomic_file.h"
+#include "core/base/json_fields.h"
 #include "core/base/message.h"
 
 #include <algorithm>
@@ -8,7 +9,6 @@
 #include <numeric>
 
 #include <Eigen/Cholesky>
-#include <nlohmann/json.hpp>
 
 namespace alltact {
 
@@ -188,209 +188,141 @@ Status ForceModel::belongs_to(const Finger& finger) const {
 
 namespace {
 
-using ForceJson = nlohmann::ordered_json;
-
 constexpr double kLargestNumber = 1e12;
 constexpr std::size_t kLargestModel = std::size_t{256} << 20;
 constexpr Eigen::Index kMaxMembers = 200, kMaxFeatures = 20000;
 
-/// Ends the reading; ForceModel::parse catches it.
-struct RefusedForceModel {
-  Error error;
-};
-
 [[noreturn]] void refuse_model(const std::string& key, Message what) {
-  throw RefusedForceModel{{std::move(what), key, en::say("train the force model again")}};
+  throw RefusedJson(key, std::move(what));
 }
 
-ForceJson json_of(const Eigen::MatrixXd& matrix) {
-  ForceJson numbers = ForceJson::array();
-  for (Eigen::Index row = 0; row < matrix.rows(); ++row)
-    for (Eigen::Index column = 0; column < matrix.cols(); ++column)
-      numbers.push_back(matrix(row, column));
-  return {{"rows", matrix.rows()}, {"columns", matrix.cols()}, {"numbers", std::move(numbers)}};
+Error retrained(const RefusedJson& refused) {
+  return {refused.what_is_wrong, refused.path, en::say("train the force model again")};
 }
 
-ForceJson json_of_vector(const Eigen::VectorXd& vector) {
-  return ForceJson(std::vector<double>(vector.begin(), vector.end()));
+void describe_vector(JsonFields& fields, const char* key, Eigen::VectorXd& vector) {
+  std::vector<double> numbers;
+  if (!fields.is_reading()) numbers.assign(vector.begin(), vector.end());
+  fields.field(key, numbers);
+  vector = Eigen::Map<const Eigen::VectorXd>(numbers.data(), std::ssize(numbers));
 }
 
-ForceJson json_of(const ForceRange& range) {
-  ForceJson json{{"mean_px", json_of_vector(range.mean_px)},
-                 {"components", json_of(range.components)},
-                 {"component_sd_px", json_of_vector(range.component_sd_px)},
-                 {"noise_px", range.noise_px},
-                 {"most_t2", range.max_t2},
-                 {"most_beside_px", range.max_residual_px},
-                 {"least_seen", range.min_seen},
-                 {"always_placed", range.has_all_positions}};
-  if (range.position_mm)
-    for (const Eigen::Vector2d& position : *range.position_mm)
-      json["place_mm"].push_back({position.x(), position.y()});
-  return json;
+/// A text; read as empty where it is another value.
+void describe_word(JsonFields& fields, const char* key, std::string& word) {
+  if (!fields.is_reading()) return fields.field(key, word);
+  fields.section(key, [&](JsonFields& text) {
+    word = text.json().is_string() ? text.json().get<std::string>() : "";
+  });
 }
 
-ForceJson json_of(const ForceMember& member) {
-  const ForceBasis& basis = member.basis;
-  ForceJson json{{"mean_px", json_of_vector(basis.mean_px)},
-                 {"scale", json_of_vector(basis.scale)},
-                 {"components", json_of(basis.components)},
-                 {"gain", json_of_vector(basis.gain)},
-                 {"flags", basis.flags},
-                 {"has_place", basis.has_position},
-                 {"crept", basis.crept},
-                 {"extra_mean", json_of_vector(basis.extra_mean)},
-                 {"extra_scale", json_of_vector(basis.extra_scale)},
-                 {"squared", basis.squared}};
-  json["regressors"] = ForceJson::array();
-  for (const ForceRegressor& regressor : member.regressors) {
-    ForceJson layers = ForceJson::array();
-    for (const ForceLayer& layer : regressor)
-      layers.push_back({{"weights", json_of(layer.weights)}, {"bias", json_of_vector(layer.bias)}});
-    json["regressors"].push_back(std::move(layers));
-  }
-  return json;
-}
+}  // namespace
 
-const ForceJson& at(const ForceJson& json, const std::string& key, const std::string& path) {
-  if (!json.is_object()) refuse_model(path, en::say("is not an object"));
-  const auto found = json.find(key);
-  if (found == json.end()) refuse_model(path + "." + key, en::say("is missing"));
-  return *found;
-}
-
-double number_of(const ForceJson& json, const std::string& path) {
-  if (!json.is_number()) refuse_model(path, en::say("is not a number"));
-  const double number = json.get<double>();
-  if (!(std::abs(number) < kLargestNumber)) refuse_model(path, en::say("is not a valid number"));
-  return number;
-}
-
-int integer_of(const ForceJson& json, const std::string& path) {
-  const double number = number_of(json, path);
-  if (number != std::floor(number) || std::abs(number) > 1e9)
-    refuse_model(path, en::say("is not an integer"));
-  return static_cast<int>(number);
-}
-
-const ForceJson& array_of(const ForceJson& json, const std::string& path) {
-  if (!json.is_array()) refuse_model(path, en::say("is not a list"));
-  return json;
-}
-
-Eigen::VectorXd vector_at(const ForceJson& json, const std::string& key, const std::string& path) {
-  const std::string full_key = path + "." + key;
-  const ForceJson& list = array_of(at(json, key, path), full_key);
-  Eigen::VectorXd vector(static_cast<Eigen::Index>(list.size()));
-  for (Eigen::Index i = 0; i < vector.size(); ++i)
-    vector[i] = number_of(list[static_cast<std::size_t>(i)], full_key);
-  return vector;
-}
-
-Eigen::MatrixXd matrix_at(const ForceJson& json, const std::string& key, const std::string& path) {
-  const std::string full_key = path + "." + key;
-  const ForceJson& matrix = at(json, key, path);
-  const int rows = integer_of(at(matrix, "rows", full_key), full_key + ".rows");
-  const int columns = integer_of(at(matrix, "columns", full_key), full_key + ".columns");
-  const Eigen::VectorXd numbers = vector_at(matrix, "numbers", full_key);
+/// Row by row.
+static void describe(JsonFields& fields, Eigen::MatrixXd& matrix) {
+  using RowMajor = Eigen::Matrix<double, -1, -1, Eigen::RowMajor>;
+  int rows = static_cast<int>(matrix.rows()), columns = static_cast<int>(matrix.cols());
+  const RowMajor by_rows = matrix;
+  Eigen::VectorXd numbers = Eigen::Map<const Eigen::VectorXd>(by_rows.data(), by_rows.size());
+  fields.field("rows", rows);
+  fields.field("columns", columns);
+  describe_vector(fields, "numbers", numbers);
   if (rows < 0 || columns < 0 || rows > kMaxFeatures || columns > kMaxFeatures ||
       Eigen::Index{rows} * columns != numbers.size())
-    refuse_model(full_key, en::say("holds {} numbers, not {} x {}", numbers.size(), rows, columns));
-  return Eigen::Map<const Eigen::Matrix<double, -1, -1, Eigen::RowMajor>>(numbers.data(), rows,
-                                                                          columns);
+    fields.refuse(en::say("holds {} numbers, not {} x {}", numbers.size(), rows, columns));
+  matrix = Eigen::Map<const RowMajor>(numbers.data(), rows, columns);
 }
 
-bool bool_at(const ForceJson& json, const std::string& key, const std::string& path) {
-  const ForceJson& value = at(json, key, path);
-  if (!value.is_boolean()) refuse_model(path + "." + key, en::say("is not true or false"));
-  return value.get<bool>();
-}
-
-ForceRange range_from(const ForceJson& json) {
-  const std::string path = "range";
-  ForceRange range;
-  range.mean_px = vector_at(json, "mean_px", path);
-  range.components = matrix_at(json, "components", path);
-  range.component_sd_px = vector_at(json, "component_sd_px", path);
-  range.noise_px = number_of(at(json, "noise_px", path), "range.noise_px");
-  range.max_t2 = number_of(at(json, "most_t2", path), "range.most_t2");
-  range.max_residual_px = number_of(at(json, "most_beside_px", path), "range.most_beside_px");
-  range.min_seen = integer_of(at(json, "least_seen", path), "range.least_seen");
-  range.has_all_positions = bool_at(json, "always_placed", path);
-  if (!json.contains("place_mm")) return range;
-  const ForceJson& positions = array_of(json.at("place_mm"), "range.place_mm");
-  if (positions.size() != 2) refuse_model("range.place_mm", en::say("must be two positions"));
+static void describe(JsonFields& fields, ForceRange& range) {
+  describe_vector(fields, "mean_px", range.mean_px);
+  fields.field("components", range.components);
+  describe_vector(fields, "component_sd_px", range.component_sd_px);
+  fields.field("noise_px", range.noise_px);
+  fields.field("most_t2", range.max_t2);
+  fields.field("most_beside_px", range.max_residual_px);
+  fields.field("least_seen", range.min_seen);
+  fields.field("always_placed", range.has_all_positions);
+  std::optional<std::vector<std::vector<double>>> corners;
+  if (range.position_mm)
+    for (corners.emplace(); const Eigen::Vector2d& position : *range.position_mm)
+      corners->push_back({position.x(), position.y()});
+  fields.field("place_mm", corners);
+  if (!corners) return;
+  if (corners->size() != 2) refuse_model("range.place_mm", en::say("must be two positions"));
   range.position_mm.emplace();
   for (std::size_t i = 0; i < 2; ++i) {
-    if (array_of(positions[i], "range.place_mm").size() != 2)
-      refuse_model("range.place_mm", en::say("must be two positions"));
-    for (std::size_t k = 0; k < 2; ++k)
-      (*range.position_mm)[i][static_cast<Eigen::Index>(k)] =
-          number_of(positions[i][k], "range.place_mm");
+    const std::vector<double>& corner = (*corners)[i];
+    if (corner.size() != 2) refuse_model("range.place_mm", en::say("must be two positions"));
+    (*range.position_mm)[i] = {corner[0], corner[1]};
   }
-  return range;
 }
 
-ForceMember member_from(const ForceJson& json, const std::string& path) {
-  ForceMember member;
+static void describe(JsonFields& fields, ForceLayer& layer) {
+  fields.field("weights", layer.weights);
+  describe_vector(fields, "bias", layer.bias);
+}
+
+static void describe(JsonFields& fields, ForceMember& member) {
   ForceBasis& basis = member.basis;
-  basis.mean_px = vector_at(json, "mean_px", path);
-  basis.scale = vector_at(json, "scale", path);
-  basis.components = matrix_at(json, "components", path);
-  basis.gain = vector_at(json, "gain", path);
-  for (const ForceJson& flag : array_of(at(json, "flags", path), path + ".flags"))
-    basis.flags.push_back(integer_of(flag, path + ".flags"));
-  basis.has_position = bool_at(json, "has_place", path);
-  basis.crept = integer_of(at(json, "crept", path), path + ".crept");
-  basis.extra_mean = vector_at(json, "extra_mean", path);
-  basis.extra_scale = vector_at(json, "extra_scale", path);
-  basis.squared = integer_of(at(json, "squared", path), path + ".squared");
-  for (const ForceJson& layers : array_of(at(json, "regressors", path), path + ".regressors")) {
-    ForceRegressor regressor;
-    for (const ForceJson& layer : array_of(layers, path + ".regressors"))
-      regressor.push_back({matrix_at(layer, "weights", path + ".regressors"),
-                           vector_at(layer, "bias", path + ".regressors")});
-    member.regressors.push_back(std::move(regressor));
-  }
-  return member;
+  describe_vector(fields, "mean_px", basis.mean_px);
+  describe_vector(fields, "scale", basis.scale);
+  fields.field("components", basis.components);
+  describe_vector(fields, "gain", basis.gain);
+  fields.field("flags", basis.flags);
+  fields.field("has_place", basis.has_position);
+  fields.field("crept", basis.crept);
+  describe_vector(fields, "extra_mean", basis.extra_mean);
+  describe_vector(fields, "extra_scale", basis.extra_scale);
+  fields.field("squared", basis.squared);
+  fields.field("regressors", member.regressors);
 }
 
-ForceModel model_from(const ForceJson& json) {
-  const ForceJson& format = at(json, "format", "force");
-  if (!format.is_string() || format.get<std::string>() != ForceModel::kFormat)
-    refuse_model("format", en::say("'{}' cannot be read by this version",
-                                   printable(format.is_string() ? format.get<std::string>() : "")));
-  ForceModel model;
-  const ForceJson& kind = at(json, "kind", "force");
-  const auto word = std::find(kForceKinds.begin(), kForceKinds.end(),
-                              kind.is_string() ? kind.get<std::string>() : "");
+static void describe(JsonFields& fields, ForceScores& scores) {
+  describe_vector(fields, "floor_N", scores.floor_N);
+  describe_vector(fields, "rms", scores.rms);
+  describe_vector(fields, "quantile_90", scores.quantile_90);
+  describe_vector(fields, "quantile_95", scores.quantile_95);
+}
+
+static void describe(JsonFields& fields, std::map<std::string, std::string>& record) {
+  if (!fields.is_reading()) {
+    for (auto& [key, text] : record) fields.field(key, text);
+    return;
+  }
+  if (!fields.json().is_object()) fields.refuse(en::say("is not an object"));
+  for (const auto& [key, text] : fields.json().items()) {
+    if (!text.is_string()) fields.refuse(en::say("contains non-text values"));
+    record[key] = text.get<std::string>();
+  }
+}
+
+static void describe(JsonFields& fields, ForceModel& model) {
+  std::string format = ForceModel::kFormat, kind = to_string(model.kind);
+  describe_word(fields, "format", format);
+  if (format != ForceModel::kFormat)
+    refuse_model("format", en::say("'{}' cannot be read by this version", printable(format)));
+  describe_word(fields, "kind", kind);
+  const auto word = std::find(kForceKinds.begin(), kForceKinds.end(), kind);
   if (word == kForceKinds.end())
     refuse_model("kind", en::say("must be mean, ridge, quadratic or network"));
   model.kind = static_cast<ForceKind>(word - kForceKinds.begin() + 1);
-  model.axes = integer_of(at(json, "axes", "force"), "axes");
-  model.marker_count = integer_of(at(json, "marker_count", "force"), "marker_count");
-  for (const ForceJson& number : array_of(at(json, "missing", "force"), "missing"))
-    model.missing.push_back(integer_of(number, "missing"));
-  const Eigen::VectorXd rest = vector_at(json, "rest_px", "force");
-  for (Eigen::Index i = 0; i + 1 < rest.size(); i += 2)
-    model.rest_px.emplace_back(rest[i], rest[i + 1]);
-  model.creep_s = number_of(at(json, "creep_s", "force"), "creep_s");
-  model.range = range_from(at(json, "range", "force"));
-  const ForceJson& scores = at(json, "scores", "force");
-  model.scores = {vector_at(scores, "floor_N", "scores"), vector_at(scores, "rms", "scores"),
-                  vector_at(scores, "quantile_90", "scores"),
-                  vector_at(scores, "quantile_95", "scores")};
-  for (const ForceJson& member : array_of(at(json, "members", "force"), "members"))
-    model.members.push_back(
-        member_from(member, "members[" + std::to_string(model.members.size()) + "]"));
-  const ForceJson& record = at(json, "record", "force");
-  if (!record.is_object()) refuse_model("record", en::say("is not an object"));
-  for (const auto& [key, text] : record.items()) {
-    if (!text.is_string()) refuse_model("record", en::say("contains non-text values"));
-    model.record[key] = text.get<std::string>();
-  }
-  return model;
+  fields.field("axes", model.axes);
+  fields.field("marker_count", model.marker_count);
+  fields.field("missing", model.missing);
+  std::vector<double> rest_px;
+  for (const Eigen::Vector2d& rest : model.rest_px)
+    rest_px.insert(rest_px.end(), {rest.x(), rest.y()});
+  fields.field("rest_px", rest_px);
+  model.rest_px.clear();
+  for (std::size_t i = 0; i + 1 < rest_px.size(); i += 2)
+    model.rest_px.emplace_back(rest_px[i], rest_px[i + 1]);
+  fields.field("creep_s", model.creep_s);
+  fields.field("record", model.record);
+  fields.field("scores", model.scores);
+  fields.field("range", model.range);
+  fields.field("members", model.members);
 }
+
+namespace {
 
 void check_shape(bool holds, const std::string& key) {
   if (!holds) refuse_model(key, en::say("does not have the shape that the model needs"));
@@ -469,50 +401,33 @@ void check_model(const ForceModel& model) {
 }  // namespace
 
 std::string ForceModel::to_json() const {
-  ForceJson json{{"format", kFormat},
-                 {"kind", to_string(kind)},
-                 {"axes", axes},
-                 {"marker_count", marker_count},
-                 {"missing", missing}};
-  json["rest_px"] = ForceJson::array();
-  for (const Eigen::Vector2d& rest : rest_px)
-    for (const double coordinate : rest) json["rest_px"].push_back(coordinate);
-  json["creep_s"] = creep_s;
-  json["record"] = ForceJson::object();
-  for (const auto& [key, text] : record) json["record"][key] = text;
-  json["scores"] = {{"floor_N", json_of_vector(scores.floor_N)},
-                    {"rms", json_of_vector(scores.rms)},
-                    {"quantile_90", json_of_vector(scores.quantile_90)},
-                    {"quantile_95", json_of_vector(scores.quantile_95)}};
-  json["range"] = json_of(range);
-  json["members"] = ForceJson::array();
-  for (const ForceMember& member : members) json["members"].push_back(json_of(member));
-  return json.dump(-1, ' ', false, ForceJson::error_handler_t::replace);
+  return written_json(*this).dump(-1, ' ', false, JsonFields::Json::error_handler_t::replace);
 }
 
 Status ForceModel::validate() const {
   try {
     check_model(*this);
-  } catch (const RefusedForceModel& refused) {
-    return refused.error;
+  } catch (const RefusedJson& refused) {
+    return retrained(refused);
   }
   return {};
 }
 
 Result<ForceModel> ForceModel::parse(std::string_view text, const std::filesystem::path& origin) {
-  const auto at_origin = [&](const Error& error) {
-    return Error{error.what, origin.string() + ": " + error.where.english(), error.advice};
-  };
-  const ForceJson json = ForceJson::parse(text, nullptr, /*allow_exceptions=*/false);
+  const auto json = JsonFields::Json::parse(text, nullptr, /*allow_exceptions=*/false);
   if (json.is_discarded())
     return Error{en::say("is not a force model: damaged or truncated"), origin,
                  en::say("train the force model again")};
   try {
-    ForceModel model = model_from(json);
+    ForceModel model;
+    JsonFields fields(json, {.root = "force", .largest = kLargestNumber});
+    describe(fields, model);
     check_model(model);
     return model;
-  } catch (const RefusedForceModel& refused) {
-    return at_origin(refused.error);
+  } catch (const RefusedJson& refused) {
+    Error error = retrained(refused);
+    error.where = origin.string() + ": " + refused.path;
+    return error;
   }
 }
 

@@ -1,10 +1,11 @@
 #include "core/finger/press_set.h"
 
 #include "core/base/atomic_file.h"
+#include "core/base/fields.h"
 #include "core/base/message.h"
 
 #include <algorithm>
-#include <functional>
+#include <array>
 #include <vector>
 
 namespace alltact {
@@ -16,59 +17,23 @@ constexpr const char* kCalibratedFrom = "calibration_inputs.yaml";
 constexpr Limits kRadiusMm{0, kLargestBallMm, true}, kLengthMm{0, kDeepestMm, true};
 constexpr Limits kPositionMm{-10000, 10000};  // position of a ball, from the camera
 
-/// Reads the presses that `key` names, with their values from another key.
-template <class T>
-void read_pairs(YamlSection& top, const char* key, const char* values_key,
-                const std::function<std::vector<T>()>& read_values,
-                const std::function<void(const std::string& press, const T& value)>& take) {
-  if (!top.has(key)) return;
-  const auto names = top.texts(key);
-  const std::vector<T> values = read_values();
-  if (values.size() != names.size())
-    top.refuse(values_key, en::say("has {} entries for {} presses", values.size(), names.size()),
-               en::say("one for each press, \"\" for none"));
-  for (std::size_t i = 0; i < names.size(); ++i) take(names[i], values[i]);
-}
-
-using Rows = std::vector<double>;
-
-GivenDepth depth_of(YamlSection& top, const Rows& row) {
-  if (row.size() != 2)
-    top.refuse("depths_mm", en::say("must hold two numbers for each press"),
-               en::say("a depth and its standard deviation in mm"));
-  return {row[0], row[1]};
-}
-
-Eigen::Vector3d centre_of(YamlSection& top, const Rows& row) {
-  if (row.size() != 3 || !(row[2] > 0))
-    top.refuse("balls_mm", en::say("is not a ball centre in front of the camera"),
-               en::say("x, y, z in mm"));
-  return {row[0], row[1], row[2]};
-}
-
-/// Adds the presses that have this value, and the values; both as YAML.
-void add_pairs(const PressSet& presses, const char* key, const char* values_key,
-               const std::function<std::optional<std::string>(const PressNote&)>& value,
-               YamlBlock& block) {
-  std::vector<std::string> names, values;
-  for (const auto& [name, note] : presses.notes) {
-    auto text = value(note);
-    if (!text) continue;
-    names.push_back(yaml_text(name));
-    values.push_back(std::move(*text));
-  }
-  if (names.empty()) return;
-  block.add(key, yaml_list(names));
-  block.add(values_key, yaml_list(values));
-}
-
-std::optional<std::string> number_text(const std::optional<double>& value) {
-  return value ? std::optional(yaml_number(*value)) : std::nullopt;
-}
-
-void check_format(YamlSection& top) {
-  if (const std::string format = top.text("format"); format != PressSet::kFormat)
-    top.refuse("format", en::say("'{}' cannot be read by this version", printable(format)), "");
+/// Presses that have a value, and the values: two lists. `describe_values` reads or writes a vector
+/// of them.
+template <class T, class Describe>
+void describe_pairs(Fields& fields, std::map<std::string, PressNote>& notes, const char* key,
+                    const char* values_key, std::optional<T> PressNote::*member,
+                    const Describe& describe_values) {
+  std::vector<std::string> names;
+  std::vector<T> values;
+  for (const auto& [name, note] : notes)
+    if (note.*member) names.push_back(name), values.push_back(*(note.*member));
+  if (!fields.has(may(key, !names.empty()))) return;
+  fields.texts(key, names);
+  describe_values(values_key, values);
+  fields.demand(values.size() == names.size(), values_key,
+                en::say("has {} entries for {} presses", values.size(), names.size()),
+                en::say("one for each press, \"\" for none"));
+  for (std::size_t i = 0; i < names.size(); ++i) notes[names[i]].*member = values[i];
 }
 
 }  // namespace
@@ -102,54 +67,49 @@ PressSet PressSet::only(const std::set<std::string>& presses) const {
   return presses_read;
 }
 
-PressSet read_press_set(YamlSection& top, bool requires_radius) {
-  PressSet presses_read;
-  if (requires_radius || top.has("ball_radius_mm"))
-    presses_read.ball_radius_mm = top.number("ball_radius_mm", kRadiusMm);
-  if (top.has("operator")) presses_read.operator_name = top.text("operator");
-  auto& notes = presses_read.notes;
-  read_pairs<double>(
-      top, "other_balls", "other_balls_mm",
-      [&] { return top.numbers("other_balls_mm", kRadiusMm); },
-      [&](const auto& press, double mm) { notes[press].ball_radius_mm = mm; });
-  read_pairs<Rows>(
-      top, "depths", "depths_mm", [&] { return top.rows("depths_mm", kLengthMm); },
-      [&](const auto& press, const Rows& row) { notes[press].depth = depth_of(top, row); });
-  read_pairs<double>(
-      top, "steps", "steps_mm", [&] { return top.numbers("steps_mm", kLengthMm); },
-      [&](const auto& press, double mm) { notes[press].step_mm = mm; });
-  read_pairs<Rows>(
-      top, "balls", "balls_mm", [&] { return top.rows("balls_mm", kPositionMm); },
-      [&](const auto& press, const Rows& row) { notes[press].ball_mm = centre_of(top, row); });
-  read_pairs<std::string>(
-      top, "excluded", "excluded_because", [&] { return top.texts("excluded_because"); },
-      [&](const auto& press, const std::string& because) { notes[press].excluded = because; });
-  return presses_read;
+void describe_all_presses(Fields& fields, PressSet& presses, bool requires_radius) {
+  fields.text(may("operator", !presses.operator_name.empty()), presses.operator_name);
+  fields.number(may("ball_radius_mm", presses.ball_radius_mm > 0).required_if(requires_radius),
+                presses.ball_radius_mm, kRadiusMm);
 }
 
-void add_all_presses(const PressSet& presses, YamlBlock& block) {
-  if (!presses.operator_name.empty()) block.add("operator", yaml_text(presses.operator_name));
-  if (presses.ball_radius_mm > 0) block.add("ball_radius_mm", yaml_number(presses.ball_radius_mm));
+void describe_single_presses(Fields& fields, PressSet& presses) {
+  using Key = const char*;
+  auto& notes = presses.notes;
+  describe_pairs(fields, notes, "other_balls", "other_balls_mm", &PressNote::ball_radius_mm,
+                 [&](Key key, auto& radii_mm) { fields.numbers(key, radii_mm, kRadiusMm); });
+  describe_pairs(fields, notes, "depths", "depths_mm", &PressNote::depth,
+                 [&](Key key, auto& depths) {
+                   fields.rows(
+                       key, depths,
+                       [](GivenDepth& depth) {
+                         return std::array{&depth.mm, &depth.sd_mm};
+                       },
+                       kLengthMm, en::say("must hold two numbers for each press"),
+                       en::say("a depth and its standard deviation in mm"));
+                 });
+  describe_pairs(fields, notes, "steps", "steps_mm", &PressNote::step_mm,
+                 [&](Key key, auto& steps_mm) { fields.numbers(key, steps_mm, kLengthMm); });
+  describe_pairs(fields, notes, "balls", "balls_mm", &PressNote::ball_mm,
+                 [&](Key key, auto& centres) {
+                   const Message what = en::say("is not a ball centre in front of the camera"),
+                                 advice = en::say("x, y, z in mm");
+                   fields.rows(
+                       key, centres,
+                       [](Eigen::Vector3d& at) {
+                         return std::array{&at.x(), &at.y(), &at.z()};
+                       },
+                       kPositionMm, what, advice);
+                   for (const auto& at : centres) fields.demand(at.z() > 0, key, what, advice);
+                 });
+  describe_pairs(fields, notes, "excluded", "excluded_because", &PressNote::excluded,
+                 [&](Key key, auto& reasons) { fields.texts(key, reasons); });
 }
 
-void add_single_presses(const PressSet& presses, YamlBlock& block) {
-  const auto add = [&](const char* key, const char* values_key, auto value) {
-    add_pairs(presses, key, values_key, value, block);
-  };
-  using Text = std::optional<std::string>;
-  add("other_balls", "other_balls_mm",
-      [](const PressNote& note) { return number_text(note.ball_radius_mm); });
-  add("depths", "depths_mm", [](const PressNote& note) {
-    return note.depth ? Text(yaml_numbers({note.depth->mm, note.depth->sd_mm})) : Text();
-  });
-  add("steps", "steps_mm", [](const PressNote& note) { return number_text(note.step_mm); });
-  add("balls", "balls_mm", [](const PressNote& note) {
-    const auto& at = note.ball_mm;
-    return at ? Text(yaml_numbers({at->x(), at->y(), at->z()})) : Text();
-  });
-  add("excluded", "excluded_because", [](const PressNote& note) {
-    return note.excluded ? Text(yaml_text(*note.excluded)) : Text();
-  });
+static void describe(Fields& fields, PressSet& presses) {
+  fields.format(PressSet::kFormat, "");
+  describe_all_presses(fields, presses, false);
+  describe_single_presses(fields, presses);
 }
 
 fs::path PressSet::file_in(const fs::path& finger_folder) {
@@ -167,30 +127,21 @@ Result<PressSet> PressSet::load(const fs::path& finger_folder) {
   if (file.filename() == kFileName) return parse(*content, file);
   YamlFile inputs(file);
   PressSet presses;
-  const Status read =
-      inputs.read(*content, [&](YamlSection& top) { presses = read_press_set(top); });
+  const Status read = inputs.read(*content, [&](YamlSection& top) {
+    Fields fields(top);
+    describe_all_presses(fields, presses, false);
+    describe_single_presses(fields, presses);
+  });
   if (!read) return read.error();
   return presses;
 }
 
 Result<PressSet> PressSet::parse(const std::string& yaml, const fs::path& origin) {
   YamlFile file(origin);
-  PressSet presses;
-  const Status read = file.read(yaml, [&](YamlSection& top) {
-    check_format(top);
-    presses = read_press_set(top);
-  });
-  if (!read) return read.error();
-  return presses;
+  return read_fields<PressSet>(file, yaml);
 }
 
-std::string PressSet::to_yaml() const {
-  YamlBlock block("");
-  block.add("format", kFormat);
-  add_all_presses(*this, block);
-  add_single_presses(*this, block);
-  return block.on_many_lines();
-}
+std::string PressSet::to_yaml() const { return fields_text(*this); }
 
 Status PressSet::save(const fs::path& finger_folder) const {
   return write_file_atomically(finger_folder / kFileName, to_yaml());

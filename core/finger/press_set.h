@@ -18,7 +18,6 @@
 
 #include "core/base/result.h"
 #include "core/base/typed_number.h"
-#include "core/base/yaml.h"
 
 #include <filesystem>
 #include <map>
@@ -29,6 +28,8 @@
 #include <Eigen/Core>
 
 namespace alltact {
+
+class Fields;
 
 /// A measured press depth: normal to the face without contact, from the ball's first contact to its
 /// deepest point.
@@ -81,13 +82,13 @@ struct PressSet {
   [[nodiscard]] Status save(const std::filesystem::path& finger_folder) const;
 };
 
-/// Reads all keys but `format`, also from a file with other keys. Refuses lists of different
-/// lengths, impossible values and, where it is required, a missing radius.
-[[nodiscard]] PressSet read_press_set(YamlSection& top, bool requires_radius = false);
-/// Adds `ball_radius_mm` and `operator`.
-void add_all_presses(const PressSet& presses, YamlBlock& block);
-/// Adds the notes about single presses.
-void add_single_presses(const PressSet& presses, YamlBlock& block);
+// The keys of a file with presses, but `format`. Reading refuses lists of different lengths and
+// impossible values.
+
+/// `operator` and `ball_radius_mm`, which `requires_radius` demands.
+void describe_all_presses(Fields& fields, PressSet& presses, bool requires_radius);
+/// The notes about single presses.
+void describe_single_presses(Fields& fields, PressSet& presses);
 
 inline constexpr double kLargestBallMm = kBallRadius.possible.high;
 inline constexpr double kDeepestMm = kPressDepth.possible.high;  ///< also of steps of punches
