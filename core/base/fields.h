@@ -122,7 +122,7 @@ class Fields {
     }
   }
   template <class E>
-  void word(const FieldKey& key, E& value, const EnumWords& words) {
+  void choice(const FieldKey& key, E& value, const EnumWords& words) {
     auto index = static_cast<std::size_t>(value) - 1;
     choose(key, index, words);
     value = static_cast<E>(index + 1);

@@ -31,7 +31,7 @@ static void describe(Fields& fields, FlatPort& port) {
 
 static void describe(Fields& fields, CameraOnFile& file) {
   CameraParameters& camera = file.parameters;
-  fields.word("model", camera.model, words_up_to(CameraModel::kOrthographic));
+  fields.choice("model", camera.model, words_up_to(CameraModel::kOrthographic));
   std::vector<int> size{camera.width_px, camera.height_px};
   fields.integers("size", size, 999'999'999, 2, en::say("must be two integers"),
                   en::say("[width, height] in pixels"));
@@ -45,7 +45,7 @@ static void describe(Fields& fields, CameraOnFile& file) {
   fields.number("cx", camera.cx_px, en::say("the principal point in pixels"));
   fields.number("cy", camera.cy_px, en::say("the principal point in pixels"));
   fields.numbers(may("distortion"), camera.distortion);
-  fields.word(may("orientation"), camera.orientation, words_up_to(Orientation::kRotate270));
+  fields.choice(may("orientation"), camera.orientation, words_up_to(Orientation::kRotate270));
   fields.section(may("port"), camera.port);
   fields.texts_by_name("lens", file.lens);
 }
@@ -174,7 +174,7 @@ void describe_contradictions(Fields& fields, std::vector<RecordedContradiction>&
 }  // namespace
 
 static void describe(Fields& fields, Face& face) {
-  fields.word("kind", face.kind, kFaceKinds);
+  fields.choice("kind", face.kind, kFaceKinds);
   if (face.kind == FaceKind::kFinRay)
     fields.number("width_mm", face.width_mm, en::say("a length in mm"));
   fields.number("layer_mm", face.layer_mm, en::say("a length in mm"));
@@ -184,7 +184,7 @@ static void describe(Fields& fields, Face& face) {
 
 static void describe(Fields& fields, MarkerRows& markers) {
   fields.integer("per_row", markers.per_row, 0, 64);
-  fields.word(may("polarity"), markers.polarity, kPolarities);
+  fields.choice(may("polarity"), markers.polarity, kPolarities);
   fields.integers(may("missing", !markers.missing.empty()), markers.missing, 1000, std::nullopt,
                   en::say("must be a list of integers"), en::say("[3, 9]"));
 }
@@ -198,8 +198,8 @@ static void describe(Fields& fields, FaceVariation& variation) {
 }
 
 static void describe(Fields& fields, MappingParameters& mapping) {
-  fields.word("kind", mapping.kind, kMappingKinds);
-  fields.word(may("along"), mapping.along, words_up_to(MappingAlong::kProjected));
+  fields.choice("kind", mapping.kind, kMappingKinds);
+  fields.choice(may("along"), mapping.along, words_up_to(MappingAlong::kProjected));
   double start = 0;
   std::vector<double> powers;
   const Message domain = en::say("must be two numbers, the first of them 0"),

@@ -337,7 +337,7 @@ static void describe(Fields& fields, GripperFinger& finger) {
   fields.numbers("nut_mm", {&linkage.nut_mm.x(), &linkage.nut_mm.y()}, refusal);
   fields.number("crank_mm", linkage.crank_mm, en::say("a length in mm"));
   fields.number("rod_mm", linkage.rod_mm, en::say("a length in mm"));
-  fields.word("assembly", linkage.assembly, kAssemblies);
+  fields.choice("assembly", linkage.assembly, kAssemblies);
   if (fields.has(may("known_at_turns"), finger.known_at_turns))
     fields.number("known_at_turns", *finger.known_at_turns, en::say("a motor position"));
   fields.section(may("link_from_camera").required_if(!finger.known_at_turns),

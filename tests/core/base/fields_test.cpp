@@ -39,7 +39,7 @@ void describe(Fields& fields, Screw& screw) {
 void describe(Fields& fields, Plate& plate) {
   fields.format("alltact-plate/1", "");
   fields.text("name", plate.name);
-  fields.word("grip", plate.grip, {"loose", "firm"});
+  fields.choice("grip", plate.grip, {"loose", "firm"});
   fields.integers(may("holes", !plate.holes.empty()), plate.holes, 100, std::nullopt,
                   en::say("must be small"), "");
   fields.numbers("size_mm", {&plate.width_mm, &plate.height_mm}, en::say("must be two lengths"));
