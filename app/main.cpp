@@ -5,6 +5,7 @@
 
 #include <cstdio>
 #include <cstring>
+#include <exception>
 
 namespace {
 
@@ -24,7 +25,7 @@ int print_help(int argc, char** argv) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   if (asks_for_help(argc, argv)) return print_help(argc, argv);
   const alltact::Loaded commands = alltact::load_function("commands", "alltact_run");
   if (commands.function != nullptr)
@@ -32,5 +33,8 @@ int main(int argc, char** argv) {
   std::fprintf(stderr,
                "A part of this program cannot be loaded: %s. Try: installing the program again.\n",
                commands.problem.c_str());
+  return 1;
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "The program cannot start: %s. Try: close other programs.\n", error.what());
   return 1;
 }

@@ -68,7 +68,7 @@ bool has_display() {
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   using namespace alltact;
   StudioArguments requested;
   if (const auto status = read_arguments(argc, argv, requested)) return *status;
@@ -113,4 +113,7 @@ int main(int argc, char** argv) {
   // that hang in a driver must not meet objects that are being destroyed.
   if (!finish_workers(kEndTimeout)) std::_Exit(status);
   return status;
+} catch (...) {
+  alltact::report_unexpected(alltact::caught_error());
+  return 1;
 }

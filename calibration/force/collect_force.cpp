@@ -235,7 +235,7 @@ Result<CollectedForce> collect_force(const std::vector<MarkerFrame>& all, const 
   const auto count = static_cast<Eigen::Index>(rows.size());
   table.marker_count = frames.empty() ? 0 : static_cast<int>(frames.front().markers.size());
   table.axes = gauge.axes;
-  table.layouts = Eigen::MatrixXd::Zero(count, 2 * table.marker_count);
+  table.layouts = Eigen::MatrixXd::Zero(count, Eigen::Index{2} * table.marker_count);
   table.seen = Eigen::MatrixXd::Zero(count, table.marker_count);
   table.force_N = Eigen::MatrixXd::Zero(count, table.axes);
   table.position_mm = Eigen::MatrixXd::Constant(count, 2, std::numeric_limits<double>::quiet_NaN());

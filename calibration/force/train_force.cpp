@@ -352,7 +352,7 @@ std::vector<ForceInput> force_inputs(const ForceTable& table,
   for (Eigen::Index row = 0; row < table.rows(); ++row) {
     ForceInput& input = inputs[static_cast<std::size_t>(row)];
     input.seen = table.seen.row(row).transpose();
-    input.displacement_px = Eigen::VectorXd::Zero(2 * table.marker_count);
+    input.displacement_px = Eigen::VectorXd::Zero(Eigen::Index{2} * table.marker_count);
     for (Eigen::Index m = 0; m < table.marker_count; ++m)
       if (input.seen[m] > 0.5)
         input.displacement_px.segment<2>(2 * m) =

@@ -253,8 +253,8 @@ FitQuality quality_of(const std::vector<const PressSamples*>& presses, const Joi
       std::vector<double> means;
       double lifted = 0;
       for (int sector = 0; sector < ContactDisc::kSectors; ++sector) {
-        const Patch& patch =
-            patches[static_cast<std::size_t>(ring * ContactDisc::kSectors + sector)];
+        const Patch& patch = patches[static_cast<std::size_t>(
+            std::ptrdiff_t{ring} * ContactDisc::kSectors + sector)];
         if (patch.count < 2) continue;
         means.push_back(patch.sum / patch.count);
         lifted += patch.lifted / patch.count;

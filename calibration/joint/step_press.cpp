@@ -195,7 +195,7 @@ Result<StepSamples> find_step(const Press& press, const Face& face) {
                    Eigen::Vector3d::Zero()};
   std::vector<Sample>& samples = step.samples.samples;
   if (!samples.empty()) select_punched(step.samples);
-  if (samples.size() < 2 * kFewest)
+  if (samples.size() < std::size_t{2} * kFewest)
     return refused(press, en::say("the punch touches too little of the face"));
   for (const Sample& sample : samples) step.face_normal += sample.normal;
   step.face_normal.normalize();
@@ -215,7 +215,7 @@ Result<StepSamples> find_step(const Press& press, const Face& face) {
                 [&](const Sample& sample) { return std::abs(off_mm(sample)) < kMarginMm; });
   thin(samples);
   for (const Sample& sample : samples)
-    step.is_lower.push_back((off_mm(sample) < 0) == (step_line.step > 0));
+    step.is_lower.push_back(static_cast<char>((off_mm(sample) < 0) == (step_line.step > 0)));
   const auto lower = std::count(step.is_lower.begin(), step.is_lower.end(), char{1});
   if (lower < kFewest || static_cast<std::ptrdiff_t>(samples.size()) - lower < kFewest)
     return refused(press, en::say("one of the punch's levels touches too little of the face"));

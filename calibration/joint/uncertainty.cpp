@@ -340,8 +340,8 @@ class NoiseCorrelation {
           linear.residual[static_cast<Eigen::Index>(k)];
     const Eigen::Index columns = grid.rows() - 2 * kReach, rows = grid.cols() - 2 * kReach;
     const auto middle = grid.block(kReach, kReach, columns, rows);
-    for (int u = -kReach; u <= kReach; ++u)
-      for (int v = -kReach; v <= kReach; ++v)
+    for (Eigen::Index u = -kReach; u <= kReach; ++u)
+      for (Eigen::Index v = -kReach; v <= kReach; ++v)
         products_ += middle.cwiseProduct(grid.block(kReach + u, kReach + v, columns, rows)).sum();
     squares_ += middle.squaredNorm();
     count_ += static_cast<double>(linear.cell.size());
@@ -386,7 +386,7 @@ class NoiseCorrelation {
     return taken;
   }
 
-  static constexpr int kReach = 1;
+  static constexpr Eigen::Index kReach = 1;
   double products_ = 0, squares_ = 0, count_ = 0, taken_ = 0, taken_products_ = 0;
 };
 

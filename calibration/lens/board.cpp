@@ -307,7 +307,7 @@ std::optional<Dot> measured(const cv::Mat& grey, cv::Point2f start,
 Eigen::Matrix2d spacing_at(const std::vector<cv::Point2f>& centres, const Board& board, int i) {
   const auto between = [&](int at, int count, int step) -> Eigen::Vector2d {
     const int after = at + 1 < count ? step : 0, before = at > 0 ? step : 0;
-    const cv::Point2f step_px = centres[static_cast<std::size_t>(i + after)] -
+    const cv::Point2f step_px = centres[static_cast<std::size_t>(std::ptrdiff_t{i} + after)] -
                                 centres[static_cast<std::size_t>(i - before)];
     return Eigen::Vector2d(step_px.x, step_px.y) / (after > 0 && before > 0 ? 2.0 : 1.0);
   };

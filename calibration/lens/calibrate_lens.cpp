@@ -10,7 +10,6 @@
 #include "core/open/open_source.h"
 
 #include <map>
-#include <ranges>
 #include <vector>
 
 #include <fmt/format.h>
@@ -264,8 +263,8 @@ Result<int> fit_without_outliers(LensCalibration& calibration, const Job& job) {
         return status.error();
     const auto outliers = outlier_views(calibration.used, calibration.fit);
     if (outliers.empty()) return coefficients;
-    for (const auto& [index, reason] : outliers | std::views::reverse)
-      reject_view(calibration, index, reason);
+    for (auto outlier = outliers.rbegin(); outlier != outliers.rend(); ++outlier)
+      reject_view(calibration, outlier->first, outlier->second);
     if (calibration.used.size() < kFewestViews) return too_few(calibration.used.size());
   }
   return fit_stepwise(calibration, job);

@@ -285,7 +285,7 @@ std::optional<LensDifference> difference_of_halves(const std::vector<BoardView>&
                                                    double distance_mm, const Job& job) {
   if (views.size() < 6) return std::nullopt;
   std::vector<CameraParameters> lenses;
-  for (const std::size_t half : {0, 1}) {
+  for (const std::size_t half : {0U, 1U}) {
     const auto [some, start] = part_of(views, fit, [&](std::size_t i) { return i % 2 == half; });
     const auto fitted = fit_lens(some, start, coefficients, job);
     if (!fitted) return std::nullopt;

@@ -108,7 +108,7 @@ cv::Mat block_means(const cv::Mat& x, int block) {
     for (int column = 0; column < means.cols; ++column) {
       double sum = 0;
       for (int v = row * block; v < (row + 1) * block; ++v) {
-        const float* line = x.ptr<float>(v) + column * block;
+        const float* line = x.ptr<float>(v) + std::ptrdiff_t{column} * block;
         for (int u = 0; u < block; ++u) sum += static_cast<double>(line[u]);
       }
       means.at<float>(row, column) = static_cast<float>(sum / (block * block));
@@ -266,7 +266,7 @@ std::optional<Levels> levels_of(const cv::Mat& x) {
   for (int v = 0; v < x.rows; ++v)
     for (int u = 0; u < x.cols; ++u)
       if (const float value = x.at<float>(v, u); std::isfinite(value)) values.push_back(value);
-  if (values.size() < 20 * kMinimumPixels) return std::nullopt;
+  if (values.size() < std::size_t{20} * kMinimumPixels) return std::nullopt;
   const std::size_t top = std::max<std::size_t>(kMinimumPixels / 3, values.size() / 333);
   const auto at = [&](std::size_t rank) {
     const auto here = values.begin() + static_cast<std::ptrdiff_t>(rank);

@@ -131,14 +131,16 @@ WindowValues window_means(const SkinPatches& patches, const PatchValues& off,
   }
   WindowValues means(off.rows(), off.cols());
   parallel_for(static_cast<int>(off.rows()), default_threads(), [&](int first, int last) {
-    const auto size = static_cast<std::size_t>((along + 1) * (across + 1));
+    const auto size = static_cast<std::size_t>((std::ptrdiff_t{along} + 1) * (across + 1));
     std::vector<double> sum(size, 0.0), known(size, 0.0), all(size, 0.0);
-    const auto at = [&](int i, int j) { return static_cast<std::size_t>(i * (across + 1) + j); };
+    const auto at = [&](int i, int j) {
+      return static_cast<std::size_t>(std::ptrdiff_t{i} * (across + 1) + j);
+    };
     for (Eigen::Index frame = first; frame < last; ++frame) {
       const float* row = off.row(frame).data();
       for (int i = 0; i < along; ++i)
         for (int j = 0; j < across; ++j) {
-          const auto p = static_cast<std::size_t>(i * across + j);
+          const auto p = static_cast<std::size_t>(std::ptrdiff_t{i} * across + j);
           const double w = weight[p], is_known = std::isfinite(row[p]) ? w : 0.0;
           const double value = is_known > 0 ? w * static_cast<double>(row[p]) : 0.0;
           const auto add = [&](std::vector<double>& s, double x) {
@@ -513,7 +515,8 @@ class Search {
   }
   /// Of a fit from the bright side.
   void note_darker(const Evidence& evidence) {
-    for (std::size_t i = 0; i < count_; ++i) darker_[i] = evidence.seeds()[i].strength > 1;
+    for (std::size_t i = 0; i < count_; ++i)
+      darker_[i] = static_cast<char>(evidence.seeds()[i].strength > 1);
   }
   [[nodiscard]] float strongest(const Evidence& evidence, const std::vector<char>& without) const {
     float most = 0;
@@ -530,7 +533,8 @@ class Search {
     DeletedResiduals left = deleted_residuals(fine.residuals(), terms_, without, numbers_, gap_);
     std::vector<char> out = without;
     for (std::size_t i = 0; i < count_; ++i) {
-      judged_[i] = left.leverage[static_cast<Eigen::Index>(i)] < kMaxPoseLeverage;
+      judged_[i] =
+          static_cast<char>(left.leverage[static_cast<Eigen::Index>(i)] < kMaxPoseLeverage);
       if (!judged_[i]) out[i] = 1;
     }
     if (count_of(judged_) < count_ && count_of(out) + kMinFittedFrames < count_) {
@@ -542,7 +546,7 @@ class Search {
         if (judged_[k]) continue;
         left.values.row(i) = second.values.row(i);
         left.leverage[i] = second.leverage[i];
-        judged_[k] = second.leverage[i] < kMaxPoseLeverage;
+        judged_[k] = static_cast<char>(second.leverage[i] < kMaxPoseLeverage);
       }
     }
     const Rule rule{{{3, 0.010F}, {5, 0.007F}, {9, 0.005F}}, {0, 2, 6}, kSigmas, false};
@@ -557,7 +561,7 @@ class Search {
     for (std::size_t i = 0; i < count_; ++i) {
       const bool waits =
           !without[i] && most > 1.0F / kStrongest && seeds_[i].strength < kStrongest * most;
-      is_of_the_pose_[i] = evidence.is_of_the_pose(i, near_);
+      is_of_the_pose_[i] = static_cast<char>(evidence.is_of_the_pose(i, near_));
       if (seeds_[i].strength >= 1 && !waits && !is_of_the_pose_[i]) evidence.grow(i, in_contact_);
     }
   }

@@ -54,12 +54,13 @@ void interpolate_missing(const std::vector<int>& missing, const MirroredPosition
       double weight = 1.0;  // Lagrange's
       for (const int other : nodes)
         if (other != node) weight *= static_cast<double>(marker - other) / (node - other);
-      std::optional<Eigen::Vector2d> at = layouts.row(row).segment<2>(2 * node).transpose();
+      std::optional<Eigen::Vector2d> at =
+          layouts.row(row).segment<2>(Eigen::Index{2} * node).transpose();
       if (by_other_side) at = mirrored(node);
       is_known = is_known && at;
       if (at) position += weight * *at;
     }
-    if (is_known) layouts.row(row).segment<2>(2 * marker) = position.transpose();
+    if (is_known) layouts.row(row).segment<2>(Eigen::Index{2} * marker) = position.transpose();
   }
 }
 
@@ -788,7 +789,7 @@ double symmetry(const std::vector<DotTrack>& tracks, const Row& upper, int first
 
 NumberedRows choose_rows(const std::vector<DotTrack>& tracks, int per_row) {
   NumberedRows rows;
-  rows.track_of.assign(static_cast<std::size_t>(2 * per_row), -1);
+  rows.track_of.assign(2 * static_cast<std::size_t>(per_row), -1);
   const auto [upper, lower] = best_rows(tracks, per_row);
   int first_upper = 0, first_lower = 0;
   if (!upper.track_of.empty() && !lower.track_of.empty()) {

@@ -228,7 +228,8 @@ void BendCoverage::accumulate(const TipPose& pose) {
   reach(BendDirection::kUp, -sway);
   reach(BendDirection::kTwistRight, twist);
   reach(BendDirection::kTwistLeft, -twist);
-  ++state_.visits[static_cast<std::size_t>(cell(sway) * BendState::kCells + cell(bend))];
+  ++state_.visits[static_cast<std::size_t>(std::ptrdiff_t{cell(sway)} * BendState::kCells +
+                                           cell(bend))];
   ++state_.poses;
 }
 
@@ -248,10 +249,10 @@ std::vector<Section> sections_of(const FaceShape& shape) {
   std::vector<int> valid;
   for (int u = 0; u < shape.width_px(); ++u)
     if (shape.columns()[static_cast<std::size_t>(u)].valid) valid.push_back(u);
-  if (valid.size() < 2 * kSections) return sections;
+  if (valid.size() < std::size_t{2} * kSections) return sections;
   if (!shape.base_at_low_u()) std::reverse(valid.begin(), valid.end());
   const double length = shape.length_at(valid.back());
-  for (int i = 0; i <= kSections; ++i) {
+  for (std::size_t i = 0; i <= kSections; ++i) {
     const int u = valid[i * (valid.size() - 1) / kSections];
     const auto rows = shape.rows(u, 0);
     const auto upper = shape.at(u, rows.first), lower = shape.at(u, rows.last);

@@ -86,7 +86,7 @@ struct BendState {
   /// visits.
   static constexpr int kCells = 15;
   static constexpr double kShown = 1.5;
-  std::array<std::uint32_t, kCells * kCells> visits{};
+  std::array<std::uint32_t, std::size_t{kCells} * kCells> visits{};
   std::optional<TipMotion> now;
   std::uint64_t poses = 0;
 

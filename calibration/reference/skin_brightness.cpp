@@ -204,7 +204,7 @@ void PoseBrightness::fit_one_sided(const std::vector<char>& without, bool from_b
 }
 
 void PoseBrightness::fit_patch(int patch, const std::vector<char>& without, bool from_bright) {
-  constexpr int kStart = 3, kRounds = 3;
+  constexpr int kStart = 3, kPatchRounds = 3;
   const Eigen::Index count = terms_.cols();
   std::vector<Eigen::Index> rows;
   for (Eigen::Index i = 0; i < patches_.frames(); ++i)
@@ -218,7 +218,7 @@ void PoseBrightness::fit_patch(int patch, const std::vector<char>& without, bool
   const double mean = y.mean();
   y.array() -= mean;
   std::vector<double> brighter;
-  for (int round = from_bright ? -kStart : 0; round < kRounds; ++round) {
+  for (int round = from_bright ? -kStart : 0; round < kPatchRounds; ++round) {
     Eigen::MatrixXd normal =
         kRidge * static_cast<double>(n) * Eigen::MatrixXd::Identity(count, count);
     normal.selfadjointView<Eigen::Lower>().rankUpdate(

@@ -19,7 +19,8 @@ constexpr double kFinestMaxError = 0.97;  // of the base's error
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
 double median_error_mm(const StudyRow& row) {
-  return row.depth && row.frames_missing == 0 ? row.depth->median_mm : kNever;
+  if (!row.depth || row.frames_missing != 0) return kNever;
+  return row.depth->median_mm;
 }
 
 double position_error_mm(const StudyRow& row) { return row.position_mm.value_or(kNever); }

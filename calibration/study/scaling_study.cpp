@@ -197,7 +197,7 @@ Eigen::MatrixXd synthetic_layouts(Eigen::Index frames, int markers) {
     const double t = static_cast<double>(i) / 30;
     const double bend = 40 * std::sin(0.9 * t), curl = 15 * std::sin(0.37 * t + 1),
                  sway = 10 * std::sin(0.211 * t + 2);
-    for (int m = 0; m < markers; ++m) {
+    for (Eigen::Index m = 0; m < markers; ++m) {
       const double along = static_cast<double>(m % per_row) / std::max(1, per_row - 1);
       layouts(i, 2 * m) = 60 + 840 * along + bend * along * along;
       layouts(i, 2 * m + 1) = (m < per_row ? 80 : 460) + curl * along * (1 - along) + sway * along;

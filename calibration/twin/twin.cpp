@@ -297,7 +297,7 @@ NoiseLaw law_of(std::vector<Wiggle> wiggles, double rounding) {
             [](const Wiggle& a, const Wiggle& b) { return a.level < b.level; });
   Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
   Eigen::Vector2d right = Eigen::Vector2d::Zero();
-  for (int group = 0; group < kLevels; ++group) {
+  for (std::size_t group = 0; group < kLevels; ++group) {
     const std::size_t first = wiggles.size() * group / kLevels;
     const std::size_t end = wiggles.size() * (group + 1) / kLevels;
     double level = 0, variance = 0;

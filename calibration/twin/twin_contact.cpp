@@ -388,7 +388,8 @@ TwinRings rings_of(const TwinPress& press) {
       const double radius = std::hypot(u - press.disc_px.x(), v - press.disc_px.y());
       const float reference = press.reference.at<float>(v, u);
       if (!(radius < reach) || !(reference > 0)) continue;
-      sum[static_cast<std::size_t>(radius)] += press.grey.at<std::uint8_t>(v, u) / reference - 1;
+      sum[static_cast<std::size_t>(radius)] +=
+          static_cast<float>(press.grey.at<std::uint8_t>(v, u)) / reference - 1;
       count[static_cast<std::size_t>(radius)] += 1;
     }
   TwinRings rings;

@@ -90,8 +90,8 @@ Result<TwinSolution> solve_twin(const TwinModel& model, const TwinUnknowns& unkn
                  en::say("images of one ball, pressed in where the entire contact is visible")};
   for (Eigen::Index i = 0; i < n; ++i) {
     const double margin = 1e-6 * std::max(1.0, unknowns.high[i] - unknowns.low[i]);
-    solution.at_bound.push_back(solution.x[i] <= unknowns.low[i] + margin ||
-                                solution.x[i] >= unknowns.high[i] - margin);
+    solution.at_bound.push_back(static_cast<char>(solution.x[i] <= unknowns.low[i] + margin ||
+                                                  solution.x[i] >= unknowns.high[i] - margin));
   }
   return solution;
 }

@@ -137,8 +137,9 @@ Eigen::VectorXd ForceMember::operator()(const ForceInput& filled) const {
 }
 
 std::optional<Force> ForceModel::operator()(ForceInput input) const {
-  if (input.seen.size() != marker_count || input.displacement_px.size() != 2 * marker_count ||
-      input.seen.sum() < 0.5 || !is_usable(input.displacement_px) || !is_usable(input.crept_px))
+  if (input.seen.size() != marker_count ||
+      input.displacement_px.size() != Eigen::Index{2} * marker_count || input.seen.sum() < 0.5 ||
+      !is_usable(input.displacement_px) || !is_usable(input.crept_px))
     return std::nullopt;
   if (input.position_mm && !is_usable(*input.position_mm)) input.position_mm.reset();
   range.fill(input);
@@ -330,7 +331,8 @@ void check_shape(bool holds, const std::string& key) {
 
 void check_range(const ForceModel& model) {
   const ForceRange& range = model.range;
-  const Eigen::Index columns = 2 * model.marker_count, k = range.component_sd_px.size();
+  const Eigen::Index columns = Eigen::Index{2} * model.marker_count,
+                     k = range.component_sd_px.size();
   check_shape(range.mean_px.size() == columns, "range.mean_px");
   check_shape(range.components.rows() == columns && range.components.cols() == k,
               "range.components");
@@ -342,7 +344,7 @@ void check_range(const ForceModel& model) {
 }
 
 void check_basis(const ForceBasis& basis, const ForceModel& model, const std::string& path) {
-  const Eigen::Index columns = 2 * model.marker_count, p = basis.gain.size();
+  const Eigen::Index columns = Eigen::Index{2} * model.marker_count, p = basis.gain.size();
   check_shape(basis.mean_px.size() == columns, path + ".mean_px");
   check_shape(basis.scale.size() == columns, path + ".scale");
   check_shape(basis.components.rows() == columns && basis.components.cols() == p,

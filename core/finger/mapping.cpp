@@ -20,7 +20,7 @@ struct ValueAndDerivative {
 /// sum_k c_k T_k(t) and its derivative in t, by Clenshaw's recurrence.
 ValueAndDerivative chebyshev_sum(const std::vector<double>& c, double t) {
   double b1 = 0, b2 = 0, d1 = 0, d2 = 0;
-  for (int k = static_cast<int>(c.size()) - 1; k >= 1; --k) {
+  for (std::size_t k = c.size(); k-- > 1;) {
     const double b = c[k] + 2 * t * b1 - b2;
     const double d = 2 * b1 + 2 * t * d1 - d2;
     b2 = b1, b1 = b;

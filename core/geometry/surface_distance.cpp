@@ -47,7 +47,7 @@ class Blocks {
   [[nodiscard]] Block top() const { return {levels_.size() - 1, 0, 0}; }
   [[nodiscard]] const Box& box(const Block& block) const {
     const Level& level = levels_[block.level];
-    return level.boxes[static_cast<std::size_t>(block.j * level.columns + block.i)];
+    return level.boxes[static_cast<std::size_t>(std::ptrdiff_t{block.j} * level.columns + block.i)];
   }
   [[nodiscard]] std::vector<Block> parts(const Block& block) const {
     std::vector<Block> parts;
@@ -74,15 +74,15 @@ class Blocks {
     std::vector<Box> boxes;
   };
   [[nodiscard]] std::size_t index(int i, int j) const {
-    return static_cast<std::size_t>(j * columns_ + i);
+    return static_cast<std::size_t>(std::ptrdiff_t{j} * columns_ + i);
   }
   static Level above(const Level& below) {
     Level level{(below.columns + 1) / 2, (below.rows + 1) / 2, {}};
-    level.boxes.resize(static_cast<std::size_t>(level.columns * level.rows));
+    level.boxes.resize(static_cast<std::size_t>(std::ptrdiff_t{level.columns} * level.rows));
     for (int j = 0; j < below.rows; ++j)
       for (int i = 0; i < below.columns; ++i)
-        level.boxes[static_cast<std::size_t>(j / 2 * level.columns + i / 2)].extend(
-            below.boxes[static_cast<std::size_t>(j * below.columns + i)]);
+        level.boxes[static_cast<std::size_t>(std::ptrdiff_t{j / 2} * level.columns + i / 2)].extend(
+            below.boxes[static_cast<std::size_t>(std::ptrdiff_t{j} * below.columns + i)]);
     return level;
   }
 

@@ -16,8 +16,8 @@ constexpr int kTooDarkBelow = 8;
 /// The same limit for an image with known noise (standard deviation, grey levels). A reference must
 /// exceed its noise six times, or quotients are biased.
 [[nodiscard]] constexpr double too_dark_below(double noise_sd) {
-  constexpr double kSigmas = 6.0;
-  return std::clamp<double>(kSigmas * noise_sd, kTooDarkBelow, kClippedFrom);
+  constexpr double kNoiseSds = 6.0;
+  return std::clamp<double>(kNoiseSds * noise_sd, kTooDarkBelow, kClippedFrom);
 }
 
 }  // namespace alltact

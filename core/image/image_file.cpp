@@ -53,7 +53,8 @@ class Bytes {
     std::uint32_t value = 0;
     for (int i = 0; i < size; ++i) {
       const int index = is_big_endian_ ? i : size - 1 - i;
-      value = value << 8U | static_cast<unsigned char>(content_[at + index]);
+      value =
+          value << 8U | static_cast<unsigned char>(content_[at + static_cast<std::size_t>(index)]);
     }
     return value;
   }
@@ -155,7 +156,8 @@ Result<ImageHeader> bmp_header(std::string_view content) {
   header.has_transparency = bits_per_pixel == 32;
   if (header.width_px < 0) return damaged_image(en::say("its width is negative"));
   const std::size_t row =
-      (static_cast<std::size_t>(header.width_px) * bits_per_pixel + 31) / 32 * 4;
+      (static_cast<std::size_t>(header.width_px) * static_cast<std::size_t>(bits_per_pixel) + 31) /
+      32 * 4;
   const std::size_t needed =
       compression == 0 ? data + row * static_cast<std::size_t>(header.height_px) : declared_size;
   if (content.size() < needed) return truncated();

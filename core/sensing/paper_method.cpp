@@ -293,7 +293,7 @@ Result<PaperFace> PaperFace::fit(const PaperEdges& edges, const Camera& camera, 
     x_mm.push_back(0.5 * (a.x() + b.x()) * z);
     middle.push_back(0.5 * (a.y() + b.y()));
   }
-  if (columns.size() < 4 * (kProfileDegree + 1))
+  if (columns.size() < std::size_t{4} * (kProfileDegree + 1))
     return paper_face_error(en::say("the edges of the face give no distance"));
   const PaperCurve profile(x_mm, z_mm, kProfileDegree);
   const std::vector<double> column_u(columns.begin(), columns.end());
@@ -319,7 +319,7 @@ Result<FaceShape> PaperFace::shape(const Camera& camera, const Face& face) const
   const auto add = [&](Edge& edge, const Eigen::Vector2d* pixel) {
     edge.v.push_back(pixel ? pixel->y() : 0.0);
     edge.sd.push_back(kSdPx);
-    edge.valid.push_back(pixel != nullptr);
+    edge.valid.push_back(static_cast<char>(pixel != nullptr));
   };
   for (std::size_t u = 0; u < z_mm_.size(); u += kStep) {
     const double z = z_mm_[u];

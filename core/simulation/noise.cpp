@@ -35,7 +35,7 @@ std::vector<float> make_quantiles() {
   std::vector<float> table(kQuantiles);
   for (int i = 0; i < kQuantiles / 2; ++i) {
     const auto value = static_cast<float>(scale * half[static_cast<std::size_t>(i)]);
-    table[static_cast<std::size_t>(kQuantiles / 2 + i)] = value;
+    table[static_cast<std::size_t>(std::ptrdiff_t{kQuantiles / 2} + i)] = value;
     table[static_cast<std::size_t>(kQuantiles / 2 - 1 - i)] = -value;
   }
   return table;
@@ -69,7 +69,7 @@ ALLTACT_WIDE void philox_lanes(std::uint32_t first, std::uint32_t c1, std::uint3
     k0 += kPhiloxWeyl0;
     k1 += kPhiloxWeyl1;
   }
-  for (int i = 0; i < kLanes; ++i) {
+  for (std::ptrdiff_t i = 0; i < kLanes; ++i) {
     bits[4 * i] = a[i];
     bits[4 * i + 1] = b[i];
     bits[4 * i + 2] = c[i];
@@ -83,7 +83,7 @@ RowNoise::RowNoise(std::string_view stream) : stream_(fnv1a(stream)) { quantiles
 
 void RowNoise::normals(std::uint64_t seed, int frame, int row, int n, float* out) const {
   const float* table = quantiles();
-  std::array<std::uint32_t, 4 * kLanes> bits;
+  std::array<std::uint32_t, std::size_t{4} * kLanes> bits;
   for (int at = 0; at < n; at += kLanes * kPixelsPerCounter) {
     philox_lanes(static_cast<std::uint32_t>(at / kPixelsPerCounter),
                  static_cast<std::uint32_t>(row), static_cast<std::uint32_t>(frame),

@@ -68,7 +68,9 @@ class RuledSurface {
       kNumbers = kNormal + 3
     };
     void set(std::size_t i, const Intersection& intersection);
-    [[nodiscard]] double* row(int number) { return numbers_.data() + number * hit_.size(); }
+    [[nodiscard]] double* row(int number) {
+      return numbers_.data() + static_cast<std::size_t>(number) * hit_.size();
+    }
 
     std::vector<double> numbers_;  // by number, then by ray
     std::vector<char> hit_;

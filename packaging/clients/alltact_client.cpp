@@ -41,7 +41,8 @@ int main(int argc, char** argv) {
     const Part* part = reinterpret_cast<const Part*>(body.data());
     if (head.type == 2 && head.parts == 1) {
       const auto* depth = reinterpret_cast<const std::uint16_t*>(body.data() + part->offset);
-      const int deepest = *std::max_element(depth, depth + part->rows * part->cols) - 10000;
+      const int deepest =
+          *std::max_element(depth, depth + std::size_t{part->rows} * part->cols) - 10000;
       std::printf("frame %lu: %d um, %lu frames lost\n", head.sequence, deepest, head.lost);
     } else {
       const char* json = body.data() + head.parts * sizeof(Part);

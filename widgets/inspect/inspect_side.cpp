@@ -110,8 +110,7 @@ QString comparand_text(const ComparisonSpec& other) {
         if (choice.name == other.setting && choice.value == other.value) return choice.words;
       return QString::fromStdString(other.setting + ' ' + other.value);
     case OtherMethod::kFrame:
-      return ViewBox::tr("frame %1")
-          .arg(QLocale().toString(static_cast<qulonglong>(other.frame + 1)));
+      return ViewBox::tr("frame %1").arg(QLocale().toString(qulonglong{other.frame} + 1));
     case OtherMethod::kPaper:
     case OtherMethod::kNone:
       break;

@@ -235,7 +235,7 @@ void AccuracyPage::update_question() {
   const auto is_rate = [](double rate) {
     return rate == std::round(rate) && rate >= kMinRate && rate <= kMaxRate;
   };
-  question_.frames_per_s = typed && is_rate(*typed) ? static_cast<int>(*typed) : finished_rate_;
+  question_.frames_per_s = typed && is_rate(*typed) ? *typed : finished_rate_;
   const QString refused =
       !typed ? window_sentence(typed.error().what)
       : is_rate(*typed)

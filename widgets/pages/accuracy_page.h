@@ -157,7 +157,7 @@ class AccuracyPage : public Page {
 
   std::filesystem::path folder_;
   StudyQuestion question_;
-  int finished_rate_ = StudyQuestion().frames_per_s;  // used while another is typed
+  double finished_rate_ = StudyQuestion().frames_per_s;  // used while another is typed
   std::optional<StudyAnswer> study_answer_;
   std::vector<std::size_t> rows_;      // row of the study of each point
   std::vector<std::size_t> front_;     // rows of the study on the Pareto front

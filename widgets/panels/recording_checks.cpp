@@ -230,7 +230,8 @@ void CoverageView::paint_field(QPainter& painter, const QRectF& field) const {
   const QColor visited = series_colour(0, palette());
   for (int row = 0; row < n; ++row)
     for (int column = 0; column < n; ++column) {
-      const auto visits = coverage_.visits[static_cast<std::size_t>(row * n + column)];
+      const auto visits =
+          coverage_.visits[static_cast<std::size_t>(std::ptrdiff_t{row} * n + column)];
       if (visits == 0) continue;
       QColor colour = visited;
       colour.setAlphaF(static_cast<float>(std::min(1.0, 0.35 + 0.1 * std::log2(visits))));

@@ -68,7 +68,8 @@ void FaceMapPlot::draw_cells() {
   double largest = 0;
   for (int row = 0; row < data_.rows; ++row)
     for (int column = 0; column < data_.columns; ++column) {
-      const double value = data_.cells[static_cast<std::size_t>(row * data_.columns + column)];
+      const double value =
+          data_.cells[static_cast<std::size_t>(std::ptrdiff_t{row} * data_.columns + column)];
       map->data()->setCell(column, row, value);
       if (std::isfinite(value)) largest = std::max(largest, value);
     }

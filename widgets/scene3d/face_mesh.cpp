@@ -58,8 +58,8 @@ void FaceMesh::make_triangles() {
   const std::vector<int> columns = steps(drawn_.cols), rows = steps(drawn_.rows);
   const std::size_t last_column = columns.size() - 1, last_row = rows.size() - 1;
   const vtkNew<vtkCellArray> triangles;
-  triangles->AllocateExact(static_cast<vtkIdType>(2 * last_column * last_row),
-                           static_cast<vtkIdType>(6 * last_column * last_row));
+  const auto quads = static_cast<vtkIdType>(last_column) * static_cast<vtkIdType>(last_row);
+  triangles->AllocateExact(2 * quads, 6 * quads);
   constexpr std::size_t kBlock = 16;
   for (std::size_t top = 0; top < last_row; top += kBlock)
     for (std::size_t left = 0; left < last_column; left += kBlock)

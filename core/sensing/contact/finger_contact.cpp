@@ -255,10 +255,12 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 // by piece and position across; NaN where the face is not seen
 using Patches = std::vector<double>;
 
-std::size_t at(int piece, int across) { return static_cast<std::size_t>(piece * kAcross + across); }
+std::size_t at(int piece, int across) {
+  return static_cast<std::size_t>(std::ptrdiff_t{piece} * kAcross + across);
+}
 
 Patches levels_of(const cv::Mat& grey, const FaceShape& shape) {
-  std::vector<double> sum(kPieces * kAcross, 0.0);
+  std::vector<double> sum(std::size_t{kPieces} * kAcross, 0.0);
   std::vector<int> count(sum.size(), 0);
   const double end_mm = std::max(shape.length_at(0), shape.length_at(shape.width_px() - 1));
   for (int u = 0; u < shape.width_px(); u += 2) {
@@ -321,7 +323,7 @@ bool ReferenceFreeContactDetector::learn(Skin& skin, double now) {
 std::optional<ReferenceFreeContact> ReferenceFreeContactDetector::operator()(
     const cv::Mat& grey, const FaceShape& shape) {
   CV_Assert(grey.type() == CV_8UC1 && grey.cols == shape.width_px());
-  skin_.resize(kPieces * kAcross);
+  skin_.resize(std::size_t{kPieces} * kAcross);
   ++frames_;
   const Patches levels = levels_of(grey, shape);
   std::optional<ReferenceFreeContact> contact;

@@ -77,25 +77,29 @@ struct FingerContact {
 
 inline constexpr double kContactDepth_mm = 0.15;  ///< above noise and permanent indentations
 
+/// What one frame shows of the first region.
+struct ContactIndentation {
+  PositionOnFinger position;
+  std::optional<Eigen::Vector3d> direction;  ///< unit normal into the face, camera frame
+  /// Centre on the skin, mm: along it from the mean of the markers, and across the face. Empty
+  /// where the region has no covariance.
+  std::optional<Eigen::Vector2d> on_skin_mm;
+  Eigen::Matrix2d on_skin_covariance_mm2 = Eigen::Matrix2d::Zero();
+};
+
+/// What one frame shows of the finger's tip (TipDisplacement).
+struct ContactDeflection {
+  PushedFace face = PushedFace::kContact;                ///< from which it was deflected
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();  ///< unit, camera frame
+  double direction_sd_deg = 0;
+  std::optional<PositionOnFinger> position;  ///< of a push on the back, where it is known
+};
+
 /// What one frame shows by itself, whichever contact the frames before had. Strengths have no unit:
 /// 1 is the threshold.
 struct ContactEvidence {
-  /// Of the first region.
-  struct Indentation {
-    PositionOnFinger position;
-    std::optional<Eigen::Vector3d> direction;  ///< unit normal into the face, camera frame
-    /// Centre on the skin, mm: along it from the mean of the markers, and across the face. Empty
-    /// where the region has no covariance.
-    std::optional<Eigen::Vector2d> on_skin_mm;
-    Eigen::Matrix2d on_skin_covariance_mm2 = Eigen::Matrix2d::Zero();
-  };
-  /// Of the finger's tip (TipDisplacement).
-  struct Deflection {
-    PushedFace face = PushedFace::kContact;                ///< from which it was deflected
-    Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();  ///< unit, camera frame
-    double direction_sd_deg = 0;
-    std::optional<PositionOnFinger> position;  ///< of a push on the back, where it is known
-  };
+  using Indentation = ContactIndentation;
+  using Deflection = ContactDeflection;
 
   std::optional<double> time_s;  ///< of any clock
   std::optional<double> depth;   ///< strength of the greatest depth; empty: there is no depth

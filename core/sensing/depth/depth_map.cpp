@@ -462,7 +462,7 @@ ALLTACT_WIDE void add(const float* __restrict depth, int count, float* __restric
 ALLTACT_WIDE void average_columns(const float* __restrict sum, int cells, float* __restrict mean) {
   static_assert(kDepthCellPx == 4);
   for (int x = 0; x < cells; ++x) {
-    const float* four = sum + 4 * x;
+    const float* four = sum + std::ptrdiff_t{4} * x;
     mean[x] = (four[0] + four[1] + four[2] + four[3]) / 16;
   }
 }
@@ -473,7 +473,7 @@ DepthCells::DepthCells(const cv::Size& image_size)
     : image_size_(image_size),
       mean_mm_((image_size.height + kDepthCellPx - 1) / kDepthCellPx,
                (image_size.width + kDepthCellPx - 1) / kDepthCellPx, CV_32FC1),
-      sum_(static_cast<std::size_t>(mean_mm_.cols * kDepthCellPx), 0.0F) {}
+      sum_(static_cast<std::size_t>(std::ptrdiff_t{mean_mm_.cols} * kDepthCellPx), 0.0F) {}
 
 void DepthCells::add_row(int row, std::span<const FaceRun> runs, const float* depth_mm) {
   for (const FaceRun& run : runs) add(depth_mm + run.first, run.size(), sum_.data() + run.first);

@@ -292,7 +292,7 @@ std::size_t moment_of(int i, int j) {
       {{0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}}};
   const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
   const int t = powers[a][1] + powers[b][1], degree = powers[a][0] + powers[b][0] + t;
-  return static_cast<std::size_t>(degree * (degree + 1) / 2 + t);
+  return static_cast<std::size_t>(std::ptrdiff_t{degree} * (degree + 1) / 2 + t);
 }
 
 /// Brightnesses of a row that can be compared, 0 elsewhere, and a flag for each.

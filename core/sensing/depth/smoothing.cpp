@@ -174,7 +174,7 @@ std::int16_t convolve(const std::vector<std::int16_t>& weights, const std::int16
     for (int k = 0; k < pairs; ++k) {
       const auto i = static_cast<std::size_t>(k);
       std::tie(near.before[i], near.behind[i]) = neighbours(done + k + 1);
-      near.weights[i] = weights[static_cast<std::size_t>(done + k + 1)];
+      near.weights[i] = weights[static_cast<std::size_t>(std::ptrdiff_t{done} + k + 1)];
     }
     largest = some(near, pairs, count, out);
   }
@@ -188,7 +188,7 @@ RowSmoother::RowSmoother(const Smoothing& smoothing, int width)
       radius_(static_cast<int>(weights_.size()) - 1),
       width_(width),
       step_(width + 2 * radius_),
-      slots_(std::bit_ceil(static_cast<std::size_t>(2 * radius_ + 1))),
+      slots_(std::bit_ceil(static_cast<std::size_t>(std::ptrdiff_t{2} * radius_ + 1))),
       rows_(slots_ * static_cast<std::size_t>(step_), 0),
       filled_(slots_),
       sums_(static_cast<std::size_t>(step_), 0),

@@ -258,7 +258,8 @@ ALLTACT_WIDE void add_pairs(const std::uint8_t* __restrict row, int words,
 class SumsOfEights {
  public:
   SumsOfEights(int width, int block)
-      : words_of_block_(block / 8), sums_(static_cast<std::size_t>(width * words_of_block_)) {}
+      : words_of_block_(block / 8),
+        sums_(static_cast<std::size_t>(std::ptrdiff_t{width} * words_of_block_)) {}
   /// Beyond this block the four sums of a word together exceed 16 bits.
   static bool can_sum(int block) { return block % 8 == 0 && block <= 32; }
 
@@ -271,7 +272,9 @@ class SumsOfEights {
     std::uint32_t sum = 0;
     for (int k = 0; k < words_of_block_; ++k)
       sum += static_cast<std::uint32_t>(
-          (sums_[static_cast<std::size_t>(column * words_of_block_ + k)] * kAllFour) >> 48U);
+          (sums_[static_cast<std::size_t>(std::ptrdiff_t{column} * words_of_block_ + k)] *
+           kAllFour) >>
+          48U);
     return sum;
   }
 
@@ -289,7 +292,8 @@ ALLTACT_WIDE void add_grey_row(const std::uint8_t* __restrict row, int width,
 /// Sums over blocks of any number of columns.
 class SumsOfAny {
  public:
-  SumsOfAny(int width, int block) : block_(block), sums_(static_cast<std::size_t>(width * block)) {}
+  SumsOfAny(int width, int block)
+      : block_(block), sums_(static_cast<std::size_t>(std::ptrdiff_t{width} * block)) {}
   void clear() { std::fill(sums_.begin(), sums_.end(), 0U); }
   void add(const std::uint8_t* row) {
     add_grey_row(row, static_cast<int>(sums_.size()), sums_.data());
@@ -380,7 +384,7 @@ ALLTACT_WIDE void best_jumps(const float* __restrict before, const float* __rest
 Path best_path(const cv::Mat& contrast, float sign) {
   const int rows = contrast.cols, cols = contrast.rows;
   constexpr float kUnreachable = -1e9F;
-  const auto padded = static_cast<std::size_t>(rows + 2 * kLargestJump);
+  const auto padded = static_cast<std::size_t>(std::ptrdiff_t{2} * kLargestJump + rows);
   std::vector<float> before(padded, kUnreachable), score(padded, kUnreachable);
   cv::Mat jumps(cols, rows, CV_32FC1);
   std::fill_n(before.begin() + kLargestJump, rows, 0.0F);
@@ -418,8 +422,8 @@ std::vector<char> steps_along(const cv::Mat& contrast, const Path& path, float s
   constexpr float kStep = 0.1F;  // fraction of the column's range
   std::vector<char> steps(path.row.size());
   for (std::size_t c = 0; c < steps.size(); ++c)
-    steps[c] =
-        sign * contrast.at<float>(static_cast<int>(c), static_cast<int>(path.row[c])) > kStep;
+    steps[c] = static_cast<char>(
+        sign * contrast.at<float>(static_cast<int>(c), static_cast<int>(path.row[c])) > kStep);
   return steps;
 }
 
@@ -472,7 +476,7 @@ void select_inner_edges(const cv::Mat& contrast, float sign, RoughEdges& rough) 
   const auto lower_steps = steps_along(inner, lower, -sign);
   std::vector<char> both(upper_steps.size());
   for (std::size_t c = 0; c < both.size(); ++c)
-    both[c] = upper_steps[c] && lower_steps[c] && upper.row[c] < lower.row[c];
+    both[c] = static_cast<char>(upper_steps[c] && lower_steps[c] && upper.row[c] < lower.row[c]);
   const auto [first, end] = longest_stretch(both);
   constexpr std::size_t kNearEnd = 3;
   const bool to_an_end = first <= kNearEnd || end + kNearEnd >= both.size();
@@ -487,7 +491,7 @@ void select_inner_edges(const cv::Mat& contrast, float sign, RoughEdges& rough) 
   for (std::size_t c = 0; c < both.size(); ++c) {
     const bool inside = c >= first && c < end;
     const bool joined = (before && c < first) || (after && c >= end);
-    rough.can_seed[c] = (inside && both[c]) || joined;
+    rough.can_seed[c] = static_cast<char>((inside && both[c]) || joined);
     if (joined) continue;
     rough.upper.row[c] = upper.row[c];
     rough.lower.row[c] = lower.row[c];

@@ -136,7 +136,8 @@ struct EndLevel {
 EndLevel end_level(const std::vector<float>& values, int centre, int first, int last) {
   double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
   for (int x = first; x <= last; ++x) {
-    const auto y = static_cast<double>(values[static_cast<std::size_t>(centre + x)]);
+    const auto y =
+        static_cast<double>(values[static_cast<std::size_t>(std::ptrdiff_t{centre} + x)]);
     n += 1, sx += x, sy += y, sxx += x * x, sxy += x * y;
   }
   const double slope = (n * sxy - sx * sy) / (n * sxx - sx * sx);
@@ -234,7 +235,7 @@ class EndReader {
     if (far >= kEndNear + 2) return end_level(brightness, i, kEndNear, far);
     double sum = 0;
     for (int x = 2; x <= far; ++x)
-      sum += static_cast<double>(brightness[static_cast<std::size_t>(i + x)]);
+      sum += static_cast<double>(brightness[static_cast<std::size_t>(std::ptrdiff_t{i} + x)]);
     return {sum / (far - 1), 0};
   }
 
@@ -244,7 +245,8 @@ class EndReader {
     const EndLevel outside = level_beyond(brightness, i);
     const auto above = [&](int x) {
       const double half = 0.5 * (inside.value + outside.value + x * (inside.slope + outside.slope));
-      return static_cast<double>(brightness[static_cast<std::size_t>(i + x)]) - half;
+      return static_cast<double>(brightness[static_cast<std::size_t>(std::ptrdiff_t{i} + x)]) -
+             half;
     };
     const double contrast = inside.value + 0.5 * inside.slope - outside.value - 0.5 * outside.slope;
     if (!(contrast > 0.0)) return std::nullopt;

@@ -361,7 +361,7 @@ bool FaceShape::fit_inverse_depth(double first, double last, int degree) {
     if (!a || !b) continue;
     uppers.push_back(*a), lowers.push_back(*b);
   }
-  if (uppers.size() < static_cast<std::size_t>(2 * n)) return false;
+  if (uppers.size() < 2 * static_cast<std::size_t>(n)) return false;
   // Behind a window the apparent direction of a point depends on its distance.
   const int rounds = camera_.is_central() ? 1 : kMaxWindowSteps;
   for (int round = 0; round < rounds; ++round) {

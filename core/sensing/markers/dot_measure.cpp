@@ -14,18 +14,19 @@
 namespace alltact {
 namespace {
 
-constexpr int kMaxSide = 128;        // of a window, px
+constexpr int kMaxSide = 128;  // of a window, px
+constexpr std::size_t kMaxPixels = std::size_t{kMaxSide} * kMaxSide;
 constexpr float kMaxLevel = 255.0F;  // values are between this and its negative
 
 /// Image window around a seed, with the polarity inverted so that the dot is bright.
 struct Window {
   int u0 = 0, v0 = 0, width = 0, height = 0;
   bool all_usable = true;  // every pixel is usable
-  std::array<float, kMaxSide * kMaxSide> value;
-  std::array<std::uint8_t, kMaxSide * kMaxSide> usable;
+  std::array<float, kMaxPixels> value;
+  std::array<std::uint8_t, kMaxPixels> usable;
 
   [[nodiscard]] std::size_t index(int x, int y) const {
-    return static_cast<std::size_t>(y * width + x);
+    return static_cast<std::size_t>(std::ptrdiff_t{y} * width + x);
   }
 };
 
@@ -188,7 +189,8 @@ void load(const cv::Mat& grey, const SideEdges& edges, const DotSeed& seed, Wind
     std::uint8_t* usable = &w.usable[w.index(0, y)];
     for (int x = 0; x < w.width; ++x) {
       const auto column = static_cast<std::size_t>(x);
-      usable[x] = static_cast<std::uint8_t>((y >= first[column]) & (y <= last[column]));
+      const int from = first[column], to = last[column];
+      usable[x] = static_cast<std::uint8_t>((y >= from) & (y <= to));
     }
   }
 }
@@ -286,8 +288,8 @@ class RegionFill {
   int x_, y_;
   cv::Size image_size_;
   Region region_;  // moments about (x_, y_), not yet divided by the area
-  std::array<std::uint8_t, kMaxSide * kMaxSide> seen_;
-  std::array<std::uint16_t, kMaxSide * kMaxSide> starts_;
+  std::array<std::uint8_t, kMaxPixels> seen_;
+  std::array<std::uint16_t, kMaxPixels> starts_;
   int count_ = 0;
 };
 
@@ -357,7 +359,7 @@ class Ring {
         value[static_cast<std::size_t>(count)] = w.value[i];
         x_of[static_cast<std::size_t>(count)] = static_cast<std::uint8_t>(x);
         y_of[static_cast<std::size_t>(count)] = static_cast<std::uint8_t>(y);
-        count += (x < first) | (x > last) ? w.usable[i] : 0;
+        count += ((x < first) | (x > last)) ? w.usable[i] : 0;
       }
     }
   }
@@ -367,7 +369,7 @@ class Ring {
     constexpr int kMaxGrey = static_cast<int>(kMaxLevel);
     std::array<std::int32_t, 2 * kMaxGrey + 1> histogram{};
     for (int k = 0; k < count; ++k)
-      ++histogram[static_cast<std::size_t>(kMaxGrey +
+      ++histogram[static_cast<std::size_t>(std::ptrdiff_t{kMaxGrey} +
                                            static_cast<int>(value[static_cast<std::size_t>(k)]))];
     int level = 0;
     for (int below = 0; below <= count / 2; ++level)
@@ -375,8 +377,8 @@ class Ring {
     return static_cast<float>(level - 1 - kMaxGrey);
   }
 
-  std::array<float, kMaxSide * kMaxSide> value;
-  std::array<std::uint8_t, kMaxSide * kMaxSide> x_of, y_of;
+  std::array<float, kMaxPixels> value;
+  std::array<std::uint8_t, kMaxPixels> x_of, y_of;
   int count = 0;
 };
 

@@ -140,7 +140,7 @@ std::vector<Candidate> candidates(const Small& small, bool bright, std::size_t m
 
 std::vector<Dot> detect(const cv::Mat& grey, const SideEdges& edges, const Small& small,
                         bool bright, int per_row) {
-  const auto max_count = static_cast<std::size_t>(16 * per_row + 32);
+  const auto max_count = static_cast<std::size_t>(std::ptrdiff_t{16} * per_row + 32);
   std::vector<Dot> dots;
   for (const Candidate& candidate : candidates(small, bright, max_count)) {
     const auto dot = measure_dot(grey, edges, candidate.seed);

@@ -142,7 +142,7 @@ constexpr double kContradictionPx = 0.5;  // smaller contradictions are harmless
 constexpr double kFloorPx = 0.05;         // noise of even a perfect recording
 
 Eigen::Vector2d position_of(const Eigen::VectorXd& layout, int marker) {
-  return layout.segment<2>(2 * marker);
+  return layout.segment<2>(Eigen::Index{2} * marker);
 }
 
 // Smallest distance of neighbours in a row; with one dot a row, a quarter of the distance between
@@ -236,7 +236,8 @@ Result<MarkerModel> MarkerModel::learn(const Eigen::MatrixXd& layouts,
   // Half of all eigenvalues are noise where there are enough layouts; of few markers, those that
   // cannot be modes.
   const Eigen::Index quiet = std::min(size / 2, std::max<Eigen::Index>(0, size - 1 - determined));
-  const double noise = n > size / 2 ? values[size > 2 * kMaxModes ? size / 2 : quiet] : 0.0;
+  const double noise =
+      n > size / 2 ? values[size > Eigen::Index{2} * kMaxModes ? size / 2 : quiet] : 0.0;
   const int max_modes = static_cast<int>(std::min<Eigen::Index>({kMaxModes, n - 1, determined}));
   int modes = 1;
   while (modes < max_modes && values[size - 1 - modes] > 4 * noise + kFloorPx * kFloorPx) ++modes;
@@ -265,7 +266,7 @@ void MarkerModel::learn_noise() {
     int count = 0;
     for (Eigen::Index i = 0; i < layouts_.rows(); i += step) {
       Markers markers(static_cast<std::size_t>(marker_count()));
-      for (int m = 0; m < marker_count(); ++m)
+      for (Eigen::Index m = 0; m < marker_count(); ++m)
         markers[static_cast<std::size_t>(m)] = {layouts_(i, 2 * m), layouts_(i, 2 * m + 1), true,
                                                 0};
       without[static_cast<std::size_t>(i)] = 1;
@@ -297,7 +298,7 @@ Eigen::VectorXd MarkerModel::fit_modes(const Markers& markers) const {
   for (int m = 0; m < marker_count(); ++m) {
     const Marker& marker = markers[static_cast<std::size_t>(m)];
     if (!marker.seen) continue;
-    const auto rows = basis_.middleRows(2 * m, 2);
+    const auto rows = basis_.middleRows(Eigen::Index{2} * m, 2);
     a.noalias() += rows.transpose() * rows;
     b.noalias() += rows.transpose() * (Eigen::Vector2d(marker.u, marker.v) - position_of(mean_, m));
   }
@@ -311,7 +312,8 @@ std::vector<int> MarkerModel::likeliest_layouts(const std::vector<Dot>& dots) co
     double score = 0;
     for (int m = 0; m < marker_count(); ++m) {
       if (is_missing(m)) continue;
-      const double u = layouts_(row, 2 * m), v = layouts_(row, 2 * m + 1);
+      const Eigen::Index at = Eigen::Index{2} * m;
+      const double u = layouts_(row, at), v = layouts_(row, at + 1);
       double nearest = gate * gate;
       for (const Dot& dot : dots) {
         const double square = (dot.u - u) * (dot.u - u) + (dot.v - v) * (dot.v - v);
@@ -435,7 +437,7 @@ Eigen::VectorXd MarkerModel::modes(const Markers& markers) const {
   Eigen::VectorXd layout(mean_.size());
   for (int m = 0; m < marker_count(); ++m) {
     const Marker& marker = markers[static_cast<std::size_t>(m)];
-    layout.segment<2>(2 * m) << marker.u, marker.v;
+    layout.segment<2>(Eigen::Index{2} * m) << marker.u, marker.v;
   }
   return (basis_.transpose() * (layout - mean_)).cwiseQuotient(mode_sd_);
 }
@@ -504,13 +506,13 @@ LocalLayout::LocalLayout(const Eigen::MatrixXd& layouts, const std::vector<int>&
 }
 
 double LocalLayout::sd_px(int marker) const {
-  const auto rows = deviations_.middleRows(2 * marker, 2);
+  const auto rows = deviations_.middleRows(Eigen::Index{2} * marker, 2);
   const Eigen::Matrix2d spread = rows * covariance_ * rows.transpose();
   return std::sqrt(std::max({0.0, spread(0, 0), spread(1, 1)}));
 }
 
 LocalLayout::Discrepancy LocalLayout::discrepancy(int marker, const Eigen::Vector2d& seen) const {
-  const auto rows = deviations_.middleRows(2 * marker, 2);
+  const auto rows = deviations_.middleRows(Eigen::Index{2} * marker, 2);
   const double noise = noise_px_ * noise_px_;
   // Leaving one observation out of a linear fit divides its residual by (1 - its leverage).
   const Eigen::Matrix2d left =

@@ -105,7 +105,7 @@ class LocalLayout {
               const Markers& markers, double noise_px);
 
   [[nodiscard]] Eigen::Vector2d position(int marker) const {
-    return position_.segment<2>(2 * marker);
+    return position_.segment<2>(Eigen::Index{2} * marker);
   }
   /// Standard deviation of u and of v in the mixture (the larger of the two).
   [[nodiscard]] double sd_px(int marker) const;

@@ -134,8 +134,9 @@ Result<MarkerTable> MarkerTable::load(const std::filesystem::path& file, int mar
   }
   if (table.frames.empty()) return wrong(en::say("the table contains no frames"));
   using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  table.layouts = Eigen::Map<const Rows>(
-      positions.data(), static_cast<Eigen::Index>(table.frames.size()), 2 * marker_count);
+  table.layouts =
+      Eigen::Map<const Rows>(positions.data(), static_cast<Eigen::Index>(table.frames.size()),
+                             Eigen::Index{2} * marker_count);
   set_typical_positions(table);
   return table;
 }

@@ -424,7 +424,8 @@ std::optional<ShapePoses> ShapePoses::learn(const std::vector<EdgeCurves>& faces
     shapes.row(i) = as_row(seen[static_cast<std::size_t>(i)]).transpose();
     recorded.row(i) = layouts.row(frames[static_cast<std::size_t>(i)]);
   }
-  auto model = MarkerModel::learn(shapes, std::vector<Dot>(2 * EdgePositions::kPerEdge));
+  auto model =
+      MarkerModel::learn(shapes, std::vector<Dot>(std::size_t{2} * EdgePositions::kPerEdge));
   if (!model) return std::nullopt;
   ShapePoses poses(*positions, std::move(*model), LayoutSearch(shapes));
   poses.layouts_ = std::move(recorded);

@@ -184,7 +184,8 @@ std::pair<int, int> ReferenceImage::columns_overlapping(int first, int end) cons
 void ReferenceImage::mix_and_warp(const FaceGrid& grid, std::vector<MixedColumns>& parts) {
   warped_ = pooled_image({size_.width + kWarpChunk, grid.size.height + 1}, CV_16SC1);
   warped_rows_ = grid.size.height;
-  std::vector<std::int16_t> row(static_cast<std::size_t>(grid.size.width + 2 * kWarpChunk));
+  std::vector<std::int16_t> row(
+      static_cast<std::size_t>(std::ptrdiff_t{2} * kWarpChunk + grid.size.width));
   std::int16_t* mixed = row.data() + kWarpChunk;
   for (const FaceRun& run : grid.runs.runs) {
     for (MixedColumns& part : parts) part.mix_run(run, mixed);

@@ -155,7 +155,8 @@ std::vector<char> ReferenceLibrary::Content::incomplete_frames(const ChartWarp& 
   std::vector<char> hidden(faces.size(), 0);
   std::size_t left = 0;
   for (std::size_t i = 0; i < faces.size(); ++i) {
-    hidden[i] = faces[i].first > first || faces[i].end < end || (!without.empty() && without[i]);
+    hidden[i] = static_cast<char>(faces[i].first > first || faces[i].end < end ||
+                                  (!without.empty() && without[i]));
     left += !hidden[i];
   }
   return left >= required ? hidden : std::vector<char>();

@@ -41,10 +41,11 @@ class Defocus final : public SensorEffect {
     const cv::Mat_<float> weights = kernels(frame, geometry);  // row i: i pixels from the middle
     const int half = weights.rows - 1, width = grey.cols;
     cv::Mat_<float> along(grey.size(), 0.0F);
-    std::vector<float> wide(static_cast<std::size_t>(width + 2 * half));
+    std::vector<float> wide(static_cast<std::size_t>(std::ptrdiff_t{2} * half + width));
     for (int v = 0; v < grey.rows; ++v) {
       for (int u = -half; u < width + half; ++u)
-        wide[static_cast<std::size_t>(u + half)] = grey(v, std::clamp(u, 0, width - 1));
+        wide[static_cast<std::size_t>(std::ptrdiff_t{u} + half)] =
+            grey(v, std::clamp(u, 0, width - 1));
       for (int i = -half; i <= half; ++i)
         add_weighted(width, weights[std::abs(i)], wide.data() + half + i, along[v]);
     }

@@ -110,7 +110,7 @@ struct LitLattice {
     const float side = std::min(steps * lattice_step(across_part), steps - 1e-3F);
     const auto i = static_cast<int>(along), k = static_cast<int>(side);
     const float to_i = along - static_cast<float>(i), to_k = side - static_cast<float>(k);
-    const float* here = value.data() + i * (across + 1) + k;
+    const float* here = value.data() + std::ptrdiff_t{i} * (across + 1) + k;
     const float* next = here + across + 1;
     const float low = here[0] + to_k * (here[1] - here[0]);
     const float high = next[0] + to_k * (next[1] - next[0]);

@@ -49,7 +49,8 @@ class PosedMesh {
     double lowest = std::numeric_limits<double>::infinity();
     const Eigen::Vector2d at(x_mm, y_mm);
     if ((at.array() < low_.array()).any() || (at.array() > high_.array()).any()) return lowest;
-    const auto cell = static_cast<std::size_t>(cell_of(y_mm, 1) * side_ + cell_of(x_mm, 0));
+    const auto cell =
+        static_cast<std::size_t>(std::ptrdiff_t{cell_of(y_mm, 1)} * side_ + cell_of(x_mm, 0));
     for (std::size_t i = starts_[cell]; i < starts_[cell + 1]; ++i)
       lowest = std::min(lowest, z_over(triangles_[static_cast<std::size_t>(in_cells_[i])], at));
     return lowest < below_mm ? lowest : std::numeric_limits<double>::infinity();
@@ -70,12 +71,12 @@ class PosedMesh {
     }
     for (int row = cell_of(low.y(), 1); row <= cell_of(high.y(), 1); ++row)
       for (int column = cell_of(low.x(), 0); column <= cell_of(high.x(), 0); ++column)
-        visit(static_cast<std::size_t>(row * side_ + column));
+        visit(static_cast<std::size_t>(std::ptrdiff_t{row} * side_ + column));
   }
 
   // The entries are counted first, so that all lists share one array.
   void fill_cells() {
-    starts_.assign(static_cast<std::size_t>(side_ * side_) + 1, 0);
+    starts_.assign(static_cast<std::size_t>(std::ptrdiff_t{side_} * side_) + 1, 0);
     for (const auto& triangle : triangles_)
       over_cells(triangle, [&](std::size_t cell) { ++starts_[cell + 1]; });
     for (std::size_t i = 1; i < starts_.size(); ++i) starts_[i] += starts_[i - 1];

@@ -52,11 +52,13 @@ void smooth(BallPress& press, double length_mm) {
   const auto blurred_at = [&](double r) {
     double sum = 0;
     for (int j = -half; j <= half; ++j) {
-      const double along = r + j * step, weight = weights[static_cast<std::size_t>(j + half)];
+      const double along = r + j * step,
+                   weight = weights[static_cast<std::size_t>(std::ptrdiff_t{j} + half)];
       for (int k = 0; k <= half; ++k) {  // symmetric
         const double from_axis = std::sqrt(along * along + k * step * k * step);
         if (from_axis >= press.rim_mm) break;
-        sum += (k == 0 ? weight : 2 * weight) * weights[static_cast<std::size_t>(k + half)] *
+        sum += (k == 0 ? weight : 2 * weight) *
+               weights[static_cast<std::size_t>(std::ptrdiff_t{k} + half)] *
                press.ball_profile(from_axis);
       }
     }
@@ -98,7 +100,7 @@ cv::Mat_<float> blurred_rows(const cv::Mat_<float>& in, const std::vector<double
       double sum = 0;
       const int low = std::max(-half, -column), high = std::min(half, in.cols - 1 - column);
       for (int k = low; k <= high; ++k)
-        sum += weights[static_cast<std::size_t>(k + half)] * in(row, column + k);
+        sum += weights[static_cast<std::size_t>(std::ptrdiff_t{k} + half)] * in(row, column + k);
       out(row, column) = static_cast<float>(sum);
     }
   return out;
