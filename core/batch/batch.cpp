@@ -183,14 +183,14 @@ static void describe(JsonFields& fields, PositionOnFinger& position) {
   fields.field("depth_sd_mm", position.depth_sd_mm);
 }
 
-static void describe(JsonFields& fields, ContactEvidence::Indentation& indentation) {
+static void describe(JsonFields& fields, ContactIndentation& indentation) {
   fields.field("position", indentation.position);
   fields.field("direction", indentation.direction);
   fields.field("on_skin_mm", indentation.on_skin_mm);
   fields.field("on_skin_covariance_mm2", indentation.on_skin_covariance_mm2);
 }
 
-static void describe(JsonFields& fields, ContactEvidence::Deflection& deflection) {
+static void describe(JsonFields& fields, ContactDeflection& deflection) {
   int face = static_cast<int>(deflection.face);
   fields.field("face", face);
   if (face < 1 || face > 4) throw std::out_of_range("face");

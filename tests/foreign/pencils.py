@@ -117,7 +117,3 @@ class ScatteringLayer:
             weight = np.where(low == number, 1 - share, 0) + np.where(low + 1 == number, share, 0)
             result += weight[None, :].astype(np.float32) * (self._pencils[number].over(thick_mm) / self._even[number])
         return result
-
-    def curve(self, place: int, thickness_mm: np.ndarray) -> np.ndarray:
-        """Of even layers at one of the places, over the untouched one's."""
-        return np.array([self._pencils[place].even(t) for t in thickness_mm]) / self._even[place]

@@ -21,11 +21,11 @@ PushedFace face_of_motion(const TipDisplacement& displacement) {
   return mm.y() > 0 ? PushedFace::kUpper : PushedFace::kLower;
 }
 
-std::optional<ContactEvidence::Deflection> deflection_of(const TipDisplacement& displacement) {
+std::optional<ContactDeflection> deflection_of(const TipDisplacement& displacement) {
   const double length = displacement.displacement_mm.norm();
   if (!(length > 0)) return std::nullopt;
   const Eigen::Vector2d unit = displacement.displacement_mm / length, across(-unit.y(), unit.x());
-  ContactEvidence::Deflection deflection;
+  ContactDeflection deflection;
   deflection.face = face_of_motion(displacement);
   deflection.direction =
       (unit.x() * displacement.towards_back + unit.y() * Eigen::Vector3d::UnitY()).normalized();

@@ -98,15 +98,12 @@ struct ContactDeflection {
 /// What one frame shows by itself, whichever contact the frames before had. Strengths have no unit:
 /// 1 is the threshold.
 struct ContactEvidence {
-  using Indentation = ContactIndentation;
-  using Deflection = ContactDeflection;
-
   std::optional<double> time_s;  ///< of any clock
   std::optional<double> depth;   ///< strength of the greatest depth; empty: there is no depth
   double push = 0;               ///< strength of the deflection; 0: no marker shows one
-  std::optional<Indentation> indentation;  ///< empty: there is no region
+  std::optional<ContactIndentation> indentation;  ///< empty: there is no region
   /// Empty where the push is below FingerContactTracker::kRelease, or of unknown direction.
-  std::optional<Deflection> deflection;
+  std::optional<ContactDeflection> deflection;
   /// Something presses into the contact face, by the best measure that there is (table above).
   /// Empty: unknown, as no face is seen or these are the first frames.
   std::optional<bool> is_face_pressed;
