@@ -5625,6 +5625,54 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
 <context>
     <name>alltact::en</name>
     <message>
+        <source>light spreads in this layer: the steps of punches are compared with the mapping, which does not use them</source>
+        <translation>in dieser Schicht breitet sich Licht aus: die Stufen der Stempel werden mit der Abbildung verglichen, die sie nicht verwendet</translation>
+    </message>
+    <message>
+        <source>whether the layer may give light back beside where it went in; auto: if the brightness around the presses shows it, given three presses or more</source>
+        <translation>ob die Schicht Licht neben der Stelle zurückgeben darf, an der es eintrat; auto: wenn die Helligkeit um die Eindrücke es zeigt, ab drei Eindrücken</translation>
+    </message>
+    <message>
+        <source>light that may spread</source>
+        <translation>Licht, das sich ausbreiten darf</translation>
+    </message>
+    <message>
+        <source>local light</source>
+        <translation>örtliches Licht</translation>
+    </message>
+    <message>
+        <source>on a layer that scatters, &apos;auto&apos; is more accurate, most of all with flat and small bodies; elsewhere both are the same</source>
+        <translation>auf einer streuenden Schicht ist &apos;auto&apos; genauer, vor allem bei flachen und kleinen Körpern; sonst sind beide gleich</translation>
+    </message>
+    <message>
+        <source>&apos;auto&apos; takes a few seconds more, and each image of a layer that spreads light some hundredths of a second more</source>
+        <translation>&apos;auto&apos; dauert einige Sekunden länger, und jedes Bild einer Schicht, die Licht ausbreitet, einige Hundertstelsekunden</translation>
+    </message>
+    <message>
+        <source>must hold a scattering of 0 to {:g} and a width_factor of {:g} to {:g}</source>
+        <translation>muss eine scattering von 0 bis {} und einen width_factor von {} bis {} enthalten</translation>
+    </message>
+    <message>
+        <source>belongs to a moebius along the normal</source>
+        <translation>gehört zu einem moebius längs der Normalen</translation>
+    </message>
+    <message>
+        <source>looking for light that spreads</source>
+        <translation>suche nach Licht, das sich ausbreitet</translation>
+    </message>
+    <message>
+        <source>more presses of different depth, or --light-spread local</source>
+        <translation>mehr Eindrücke verschiedener Tiefe, oder --light-spread local</translation>
+    </message>
+    <message>
+        <source>the curve of a layer that spreads light</source>
+        <translation>die Kurve einer Schicht, die Licht ausbreitet</translation>
+    </message>
+    <message>
+        <source>the layer spreads light: {:.0f} % comes back where it went in, the rest from about {:.1f} mm around; depth is read with that undone</source>
+        <translation>die Schicht breitet Licht aus: {} % kommen dort zurück, wo sie eintraten, der Rest aus etwa {} mm Umkreis; bei der Tiefe ist das rückgängig gemacht</translation>
+    </message>
+    <message>
         <source>{} x {} px is no image size; each side must be 16 to 16384</source>
         <translation>{} x {} px ist keine Bildgröße; jede Seite muss 16 bis 16384 haben</translation>
     </message>

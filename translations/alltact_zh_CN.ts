@@ -5586,6 +5586,54 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
 <context>
     <name>alltact::en</name>
     <message>
+        <source>light spreads in this layer: the steps of punches are compared with the mapping, which does not use them</source>
+        <translation>光在此层中扩散：压头的台阶只与映射比较，映射不使用它们</translation>
+    </message>
+    <message>
+        <source>whether the layer may give light back beside where it went in; auto: if the brightness around the presses shows it, given three presses or more</source>
+        <translation>层是否可能在光进入处的旁边把光送回；auto：有三次或更多按压、且按压周围的亮度显示如此时</translation>
+    </message>
+    <message>
+        <source>light that may spread</source>
+        <translation>可能扩散的光</translation>
+    </message>
+    <message>
+        <source>local light</source>
+        <translation>局部的光</translation>
+    </message>
+    <message>
+        <source>on a layer that scatters, &apos;auto&apos; is more accurate, most of all with flat and small bodies; elsewhere both are the same</source>
+        <translation>在散射的层上 &apos;auto&apos; 更准确，对平的和小的物体尤其如此；在其他层上两者相同</translation>
+    </message>
+    <message>
+        <source>&apos;auto&apos; takes a few seconds more, and each image of a layer that spreads light some hundredths of a second more</source>
+        <translation>&apos;auto&apos; 多用几秒；光会扩散的层，每幅图像多用百分之几秒</translation>
+    </message>
+    <message>
+        <source>must hold a scattering of 0 to {:g} and a width_factor of {:g} to {:g}</source>
+        <translation>必须含有 0 到 {} 的 scattering 和 {} 到 {} 的 width_factor</translation>
+    </message>
+    <message>
+        <source>belongs to a moebius along the normal</source>
+        <translation>属于沿法线的 moebius</translation>
+    </message>
+    <message>
+        <source>looking for light that spreads</source>
+        <translation>查找扩散的光</translation>
+    </message>
+    <message>
+        <source>more presses of different depth, or --light-spread local</source>
+        <translation>更多不同深度的按压，或 --light-spread local</translation>
+    </message>
+    <message>
+        <source>the curve of a layer that spreads light</source>
+        <translation>光会扩散的层的曲线</translation>
+    </message>
+    <message>
+        <source>the layer spreads light: {:.0f} % comes back where it went in, the rest from about {:.1f} mm around; depth is read with that undone</source>
+        <translation>层使光扩散：{} % 在进入处返回，其余来自周围约 {} mm；深度已消除这一影响</translation>
+    </message>
+    <message>
         <source>{} x {} px is no image size; each side must be 16 to 16384</source>
         <translation>{} x {} px 不是有效的图像尺寸；边长必须为 16 到 16384</translation>
     </message>

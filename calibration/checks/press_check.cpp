@@ -4,6 +4,7 @@
 #include "calibration/finger/calibration_inputs.h"
 #include "calibration/finger/measuring_presets.h"
 #include "calibration/joint/joint_fit.h"
+#include "calibration/joint/light_spread_fit.h"
 #include "calibration/joint/step_press.h"
 #include "calibration/presses/press.h"
 #include "calibration/report/press_errors.h"
@@ -72,8 +73,9 @@ Result<CheckedPress> measure(const Press& press, double light_change, const Face
 }
 
 /// Measures the step of a punch with the mapping.
-Result<CheckedPress> measure_step(const Press& press, double light_change, const Face& face,
+Result<CheckedPress> measure_step(const Press& measured, double light_change, const Face& face,
                                   const Mapping& mapping) {
+  const Press press = without_light_spread(measured, mapping.parameters());
   const auto step = find_step(press, face);
   if (!step) return step.error();
   StepSamples read = *step;
@@ -316,12 +318,13 @@ Result<PressCheck> check_with_presses(const FingerSnapshot& snapshot, const Pres
   return check;
 }
 
-Result<BallByShape> ball_by_shape(const Press& press, const Face& face, const Mapping& mapping,
+Result<BallByShape> ball_by_shape(const Press& measured, const Face& face, const Mapping& mapping,
                                   const Job& job) {
   constexpr int kSamplesOfBall = 1500;
   constexpr std::size_t kMinSamplesOfBall = 60;
-  const auto guess = find_ball(press, face);
+  const auto guess = find_ball(measured, face);
   if (!guess) return guess.error();
+  const Press press = without_light_spread(measured, mapping.parameters());
   const Error too_small{en::say("{}: the contact covers too few pixels", press.name), "",
                         en::say("pressing deeper, or a larger image")};
   PressSamples samples =

@@ -92,6 +92,26 @@ Json mapping_json(const Mapping& mapping, const std::optional<MappingRecord>& re
         {"middle_mm", {varies.middle_mm.x(), varies.middle_mm.y()}},
         {"half_mm", {varies.half_mm.x(), varies.half_mm.y()}}};
   }
+  if (const LightSpread& spread = parameters.spread; !spread.is_local()) {
+    json["spread"] = {
+        {"formula",
+         "before M, x is solved for y: x(p) = core y(p + 0.85 u) + (1 - core) (k * y)(p + s u), u "
+         "the "
+         "displacement along the face to where the line of sight meets the layer's outer side, k * "
+         "y "
+         "= q with q - width^2 laplace q = y, m = 1 / cos(sight to normal) - 1, t = scattering: "
+         "core "
+         "= exp(-t (1 + 0.2 m)), width = width_factor 0.6 layer / sqrt(t), s = 0.48 - 0.04 t^2 - "
+         "0.08 t m; then y is replaced by that of the same depth T (1 + c) y / (1 + c y) on M, T = "
+         "a_mm / (1 + b), c = b_straight (1 + 1.1 m) exp(log_b_along (place - middle) / half)"},
+        {"scattering", spread.scattering},
+        {"scattering_sd", spread.scattering_sd},
+        {"width_factor", spread.width_factor},
+        {"b_straight", spread.b_straight},
+        {"log_b_along", spread.log_b_along},
+        {"middle_mm", spread.middle_mm},
+        {"half_mm", spread.half_mm}};
+  }
   if (parameters.covariance.size() > 0) json["covariance"] = covariance_json(parameters.covariance);
   if (record) {
     json["method"] = record->method;
@@ -274,6 +294,14 @@ Texts mapping_lines(const Mapping& mapping) {
     lines.push_back(numbers("varies_middle_mm", {varies.middle_mm.x(), varies.middle_mm.y()}));
     lines.push_back(numbers("varies_half_mm", {varies.half_mm.x(), varies.half_mm.y()}));
   }
+  if (const LightSpread& spread = parameters.spread; !spread.is_local())
+    lines.insert(lines.end(), {number("spread_scattering", spread.scattering),
+                               number("spread_scattering_sd", spread.scattering_sd),
+                               number("spread_width_factor", spread.width_factor),
+                               number("spread_b_straight", spread.b_straight),
+                               number("spread_log_b_along", spread.log_b_along),
+                               number("spread_middle_mm", spread.middle_mm),
+                               number("spread_half_mm", spread.half_mm)});
   return lines;
 }
 

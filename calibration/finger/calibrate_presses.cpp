@@ -2,6 +2,7 @@
 
 #include "calibration/finger/calibrate_finger.h"
 #include "calibration/finger/paper_pipeline.h"
+#include "calibration/joint/light_spread_fit.h"
 #include "calibration/reference/contact_search.h"
 #include "calibration/report/press_errors.h"
 #include "calibration/verdict/verdict.h"
@@ -366,8 +367,12 @@ Status solve_presses(FingerCalibration& done, const MeasureAsPaper& as_paper, co
   all_left_out.insert(all_left_out.begin(), left_out.begin(), left_out.end());
   add_remarks(done.calibration);
 
-  std::vector<const Press*> presses;
+  // What follows compares depths with brightness as the mapping reads it.
+  std::vector<Press> local;
   for (const Press& press : used)
+    local.push_back(without_light_spread(press, done.calibration.mapping));
+  std::vector<const Press*> presses;
+  for (const Press& press : local)
     if (!press.step_mm) presses.push_back(&press);
   done.residuals = press_residuals(presses, done.finger.face, done.calibration);
   done.zones = zone_errors(done.residuals, done.calibration, done.finger.face.kind);
@@ -376,9 +381,12 @@ Status solve_presses(FingerCalibration& done, const MeasureAsPaper& as_paper, co
     if (press.left_out.empty()) signs.push_back(press.sign);
   done.fault_signs = fault_signs(signs);
   std::vector<ComparedPress> compared;
-  for (const MeasuredPress& taken : done.presses)
-    if (taken.left_out.empty() && !taken.press->step_mm)
-      compared.push_back({&*taken.press, &*taken.reference});
+  for (const Press* press : presses) {
+    const auto taken =
+        std::find_if(done.presses.begin(), done.presses.end(),
+                     [&](const MeasuredPress& one) { return one.name == press->name; });
+    compared.push_back({press, &*taken->reference});
+  }
   const ContactError pixel = contact_error(compared, done.residuals, done.calibration.mapping);
   for (MeasuredPress& taken : done.presses) taken.reference.reset();
   done.pixel_mm = pixel.mean_mm;
@@ -585,7 +593,8 @@ std::optional<PressFit> fit_of_press(const Press& press, const Face& face,
   ball.radius_mm = press.ball_radius_mm;
   ball.centre_mm = centre_mm;
   single.balls.push_back(ball);
-  auto residuals = press_residuals({&press}, face, single);
+  const Press local = without_light_spread(press, mapping);
+  auto residuals = press_residuals({&local}, face, single);
   if (residuals.empty()) return std::nullopt;
   PressFit fit{std::move(residuals.front())};
   int inner = 0;

@@ -2,6 +2,7 @@
 
 #include "calibration/joint/contact_model.h"
 #include "calibration/joint/joint_fit.h"
+#include "calibration/joint/light_spread_fit.h"
 #include "calibration/joint/mapping_curve.h"
 #include "calibration/joint/outline_methods.h"
 #include "calibration/joint/step_press.h"
@@ -10,6 +11,7 @@
 #include "core/base/job.h"
 #include "core/base/message.h"
 #include "core/finger/finger.h"
+#include "core/sensing/depth/light_spread.h"
 
 #include <algorithm>
 #include <cmath>
@@ -313,6 +315,108 @@ void sort_as_given(const std::vector<Press>& presses, std::vector<BallFit>* ball
   });
 }
 
+/// The fit of spread light, if the settings allow it and the presses show it.
+std::optional<LightSpreadFit> seen_light_spread(const std::vector<FoundBall>& found,
+                                                const Face& face,
+                                                const CalibrationSettings& settings,
+                                                const Job& job) {
+  const bool is_allowed =
+      settings.light_spread == LightSpreadChoice::kAuto && settings.degree == 0 &&
+      (settings.family == FamilyChoice::kAuto || settings.family == FamilyChoice::kMoebius) &&
+      (settings.along == AlongChoice::kAuto || settings.along == AlongChoice::kNormal);
+  if (!is_allowed) return std::nullopt;
+  job.report(0.25, en::say("looking for light that spreads"));
+  std::vector<BallStart> balls;
+  for (const FoundBall& one : found) balls.push_back({one.press, one.guess.centre_mm});
+  auto fit = fit_light_spread(balls, face, job);
+  if (fit && fit->is_seen) return fit;
+  return std::nullopt;
+}
+
+/// The stored covariance, so that the mean error over the domain is at least `least_mm`.
+Eigen::MatrixXd at_least(double least_mm, const MappingCurve& curve,
+                         const Eigen::MatrixXd& covariance) {
+  const double inflation = std::max(1.0, least_mm / mean_error_mm(curve, covariance));
+  return inflation * inflation * covariance;
+}
+
+/// The calibration of a layer that spreads light, from its fit. Figures of presses are those of
+/// the brightness without the spread.
+Result<Calibration> solve_with_spread(const std::vector<Press>& presses,
+                                      const std::vector<FoundBall>& found, const Face& face,
+                                      const LightSpreadFit& fit, const Job& job,
+                                      Calibration calibration) {
+  constexpr double kFormula = 0.02;  // of a depth: error of the formulas of light_spread.h
+  calibration.mapping = fit.mapping;
+  std::vector<Press> local;
+  for (const FoundBall& one : found) local.push_back(without_light_spread(*one.press, fit.mapping));
+  std::vector<FoundBall> balls = found;
+  ChoiceInput coarse;
+  const PressedArea area{fit.mapping.variation.middle_mm, fit.mapping.variation.half_mm};
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    FoundBall& ball = balls[i];
+    ball.press = &local[i];
+    const double reach = 1.06 * ball.press->ball_radius_mm;
+    ball.fine = sample_around(local[i], face, fit.centres_mm[i], reach, kFineSamples);
+    ball.coarse = sample_around(local[i], face, fit.centres_mm[i], reach, kCoarseSamples);
+    set_unit_positions(area, &ball.fine);
+    set_unit_positions(area, &ball.coarse);
+    coarse.presses.push_back(&ball.coarse);
+    coarse.centres_mm.push_back(fit.centres_mm[i]);
+  }
+  calibration.mapping.x_max = domain_of(coarse, MappingAlong::kNormal);
+  if (const auto mapping = Mapping::create(calibration.mapping); !mapping)
+    return Error{en::say("the solution is not a valid mapping: {}", mapping.error().what), "",
+                 en::say("more presses of different depth, or --light-spread local")};
+  const JointFit solution{curve_of(calibration.mapping), fit.centres_mm, true, fit.lift_mm};
+  JointOptions options;
+  options.along = MappingAlong::kNormal;
+  const ModelChoice choice{options, solution, {}, 0, {}, {}};
+
+  const Eigen::Index n = solution.curve.values().size();
+  Eigen::MatrixXd covariance =
+      Eigen::MatrixXd::Zero(n + fit.centre_covariance.rows(), n + fit.centre_covariance.rows());
+  covariance.topLeftCorner(n, n) = fit.mapping.covariance;
+  for (Eigen::Index i = 0; i < fit.centre_covariance.rows(); i += 3)
+    covariance.block<3, 3>(n + i, n + i) = fit.centre_covariance.block<3, 3>(i, 0);
+  calibration.balls = balls_of(balls, choice, solution, covariance, job);
+  for (std::size_t i = 0; i < calibration.balls.size(); ++i) {
+    BallFit& ball = calibration.balls[i];
+    if (i < fit.held_out_mm.size())
+      ball.held_out_mm = std::hypot(ball.residual_mm, fit.held_out_mm[i]);
+    calibration.spread_mm += std::hypot(ball.held_out_mm, kFormula * ball.indentation_mm) /
+                             static_cast<double>(calibration.balls.size());
+  }
+  calibration.mapping.covariance =
+      at_least(calibration.spread_mm, solution.curve, fit.mapping.covariance);
+  calibration.weakest = weakest_direction(solution.curve, calibration.mapping.covariance);
+  if (!job.stop_requested())
+    calibration.radius_sensitivity = vary_radius(coarse.presses, solution, choice.options, job);
+  if (!job.stop_requested())
+    calibration.next_press =
+        advise(coarse.presses, solution, choice.options, face_length_mm(balls));
+  calibration.residual_mm = mean_of(calibration.balls, &BallFit::residual_mm);
+  calibration.held_out_mm = mean_of(calibration.balls, &BallFit::held_out_mm);
+  std::vector<Press> punches;
+  for (const Press& press : presses)
+    if (press.step_mm) punches.push_back(without_light_spread(press, fit.mapping));
+  std::vector<Message> unusable;  // already reported
+  calibration.steps =
+      steps_of(find_steps(punches, face, &unusable), solution.curve, MappingAlong::kNormal);
+  if (!punches.empty())
+    calibration.remarks.push_back(
+        en::say("light spreads in this layer: the steps of punches are compared with the mapping, "
+                "which does not use them"));
+  calibration.degree_choice =
+      en::at(solution.curve.family().name(), en::say("the curve of a layer that spreads light"));
+  const LightSpread& spread = fit.mapping.spread;
+  calibration.remarks.push_back(
+      en::say("the layer spreads light: {:.0f} % comes back where it went in, the rest from about "
+              "{:.1f} mm around; depth is read with that undone",
+              100.0 * std::exp(-spread.scattering), skirt_width_mm(spread, face.layer_mm)));
+  return calibration;
+}
+
 /// Fits all fine samples, first by brightness alone. That fit shows where to search for the balls'
 /// outlines; a second fit includes the outlines found.
 JointFit fit_finely(std::vector<FoundBall>& found, const ModelChoice& choice, const Job& job,
@@ -356,6 +460,8 @@ Result<Calibration> solve_jointly(const std::vector<Press>& presses, std::vector
     set_unit_positions(part, &f.coarse);
   }
   for (StepSamples& step : steps) set_unit_positions(part, &step.samples);
+  if (const auto spread = seen_light_spread(found, face, settings, job))
+    return solve_with_spread(presses, found, face, *spread, job, std::move(calibration));
   for (Message& reason : drop_contradicting(found, steps, settings, job))
     calibration.left_out.push_back(std::move(reason));
   ChoiceInput coarse;
@@ -395,10 +501,8 @@ Result<Calibration> solve_jointly(const std::vector<Press>& presses, std::vector
     (void)stored_form(fit.curve, &by_values);
     const Eigen::MatrixXd by_residuals = covariance.topLeftCorner(n, n);
     // The jackknife may exceed the covariance of the residuals.
-    const double inflation =
-        std::max(1.0, choice->spread_mm / mean_error_mm(fit.curve, by_residuals));
     const Eigen::MatrixXd stored =
-        inflation * inflation * by_values * by_residuals * by_values.transpose();
+        by_values * at_least(choice->spread_mm, fit.curve, by_residuals) * by_values.transpose();
     calibration.mapping.covariance = 0.5 * (stored + stored.transpose());
   }
   if (const auto mapping = Mapping::create(calibration.mapping); !mapping)

@@ -76,6 +76,19 @@ const std::vector<Setting<CalibrationSettings>>& calibration_settings() {
           &S::face_variation,
           {{"auto", FaceVariationChoice::kAuto}, {"even", FaceVariationChoice::kEven}}),
       with_trade_off(
+          choice_setting<S, LightSpreadChoice>(
+              "light-spread",
+              en::say("whether the layer may give light back beside where it went in; auto: if the "
+                      "brightness around the presses shows it, given three presses or more"),
+              &S::light_spread,
+              {{"auto", LightSpreadChoice::kAuto, en::say("light that may spread")},
+               {"local", LightSpreadChoice::kLocal, en::say("local light")}}),
+          {en::say("on a layer that scatters, 'auto' is more accurate, most of all with flat and "
+                   "small bodies; elsewhere both are the same"),
+           en::say("'auto' takes a few seconds more, and each image of a layer that spreads light "
+                   "some hundredths of a second more"),
+           {"local", "auto"}}),
+      with_trade_off(
           number_setting<S>("iterations",
                             en::say("maximum number of rounds of the joint fit; it ends "
                                     "earlier when nothing changes"),

@@ -19,6 +19,8 @@ enum class FamilyChoice { kAuto = 1, kPolynomial, kMoebius, kLayer };
 /// Whether the mapping may vary over the face.
 enum class FaceVariationChoice { kAuto = 1, kEven };
 enum class AlongChoice { kAuto = 1, kZ, kNormal, kProjected };
+/// Whether light may come back next to where it went in.
+enum class LightSpreadChoice { kAuto = 1, kLocal };
 
 /// `family` and all settings after it apply to the joint method only.
 struct CalibrationSettings {
@@ -29,6 +31,7 @@ struct CalibrationSettings {
   int degree = 0;  ///< number of Chebyshev coefficients, 1..8; 0: chosen by cross-validation
   AlongChoice along = AlongChoice::kAuto;
   FaceVariationChoice face_variation = FaceVariationChoice::kAuto;
+  LightSpreadChoice light_spread = LightSpreadChoice::kLocal;
   /// rounds of reweighting at most; the fit ends earlier when it has converged
   int iterations = 60;
 };

@@ -6,6 +6,7 @@
 #include "core/recording/video_file.h"
 #include "core/sensing/contact/contact_regions.h"
 #include "core/sensing/depth/depth_map.h"
+#include "core/sensing/depth/light_spread.h"
 #include "core/sensing/pipeline.h"
 #include "core/sensing/reference/reference_library.h"
 
@@ -247,7 +248,7 @@ StudyFrame PressPainter::painted_with(const PaintedBody& body, FaceZone zone, co
   StudyFrame frame;
   frame.depth_mm = cv::Mat(grey.size(), CV_32FC1, cv::Scalar(kNaN));
   frame.zone = zone;
-  cv::Mat indented = grey.clone();
+  cv::Mat local_x(grey.size(), CV_64FC1, cv::Scalar(0.0));
   for (int v = 0; v < grey.rows; ++v)
     for (int u = 0; u < grey.cols; ++u) {
       const auto local = shape.at(u, v);
@@ -258,9 +259,16 @@ StudyFrame PressPainter::painted_with(const PaintedBody& body, FaceZone zone, co
       if (thinner.of_mapping_mm <= 0) continue;
       const double factor =
           parameters.variation.is_none() ? 1.0 : parameters.variation.at(shape.position_mm(u, v));
-      const double x = mapping_.difference_at(thinner.of_mapping_mm / factor);
+      local_x.at<double>(v, u) = mapping_.difference_at(thinner.of_mapping_mm / factor);
+    }
+  const cv::Mat x = with_light_spread(local_x, parameters, shape);
+  cv::Mat indented = grey.clone();
+  for (int v = 0; v < grey.rows; ++v)
+    for (int u = 0; u < grey.cols; ++u) {
+      const double here = x.at<double>(v, u);
+      if (here == 0 || !std::isfinite(frame.depth_mm.at<float>(v, u))) continue;
       indented.at<std::uint8_t>(v, u) =
-          static_cast<std::uint8_t>(std::lround(grey.at<std::uint8_t>(v, u) * (1 - x)));
+          cv::saturate_cast<std::uint8_t>(std::lround(grey.at<std::uint8_t>(v, u) * (1 - here)));
     }
   auto image = std::make_shared<Frame>();
   image->grey = std::move(indented);

@@ -197,6 +197,16 @@ static void describe(Fields& fields, FaceVariation& variation) {
   fields.numbers("half_mm", {&variation.half_mm.x(), &variation.half_mm.y()}, refusal);
 }
 
+static void describe(Fields& fields, LightSpread& spread) {
+  fields.number("scattering", spread.scattering, en::say("without unit"));
+  fields.number("scattering_sd", spread.scattering_sd, en::say("without unit"));
+  fields.number("width_factor", spread.width_factor, en::say("without unit"));
+  fields.number("b_straight", spread.b_straight, en::say("without unit"));
+  fields.number("log_b_along", spread.log_b_along, en::say("without unit"));
+  fields.number("middle_mm", spread.middle_mm, en::say("in mm"));
+  fields.number("half_mm", spread.half_mm, en::say("in mm"));
+}
+
 static void describe(Fields& fields, MappingParameters& mapping) {
   fields.choice("kind", mapping.kind, kMappingKinds);
   fields.choice(may("along"), mapping.along, words_up_to(MappingAlong::kProjected));
@@ -215,6 +225,7 @@ static void describe(Fields& fields, MappingParameters& mapping) {
     fields.numbers(may("powers"), powers);
   }
   fields.section(may("varies", !mapping.variation.is_none()), mapping.variation);
+  fields.section(may("spread", !mapping.spread.is_local()), mapping.spread);
   describe_covariance(fields, mapping.covariance);
   const bool is_polynomial = mapping.kind == MappingKind::kPolynomial;
   if (fields.is_reading() && is_polynomial && fields.has(may("powers")))

@@ -150,6 +150,27 @@ std::optional<Error> variation_problem(const FaceVariation& variation) {
       std::string("mapping.varies"), en::say("leave it out, or calibrate again")};
 }
 
+std::optional<Error> spread_problem(const MappingParameters& parameters) {
+  const LightSpread& spread = parameters.spread;
+  const bool is_one = spread.scattering >= 0 && spread.scattering <= LightSpread::kMaxScattering &&
+                      spread.scattering_sd >= 0 && spread.scattering_sd <= 10 &&
+                      spread.width_factor >= LightSpread::kMinWidth &&
+                      spread.width_factor <= LightSpread::kMaxWidth && spread.b_straight >= 0 &&
+                      spread.b_straight <= 1e3 && std::abs(spread.log_b_along) <= 5 &&
+                      std::abs(spread.middle_mm) <= 1e6 && spread.half_mm > 0 &&
+                      spread.half_mm <= 1e6;
+  if (!is_one)
+    return Error{
+        en::say("must hold a scattering of 0 to {:g} and a width_factor of {:g} to {:g}",
+                LightSpread::kMaxScattering, LightSpread::kMinWidth, LightSpread::kMaxWidth),
+        std::string("mapping.spread"), en::say("leave it out, or calibrate again")};
+  if (spread.is_local() || (parameters.kind == MappingKind::kMoebius &&
+                            parameters.along == MappingAlong::kNormal && parameters.b > -1))
+    return std::nullopt;
+  return Error{en::say("belongs to a moebius along the normal"), std::string("mapping.spread"),
+               en::say("leave it out, or calibrate again")};
+}
+
 std::optional<Error> coefficient_problem(const MappingParameters& p) {
   if (p.kind == MappingKind::kMoebius) {
     if (!(p.a_mm > 0 && std::isfinite(p.a_mm)))
@@ -201,6 +222,7 @@ Result<Mapping> Mapping::create(MappingParameters parameters) {
   if (auto problem = coefficient_problem(parameters)) return *problem;
   const bool is_moebius = parameters.kind == MappingKind::kMoebius;
   if (auto problem = variation_problem(parameters.variation)) return *problem;
+  if (auto problem = spread_problem(parameters)) return *problem;
   const auto unknowns = (is_moebius ? 2 : static_cast<Eigen::Index>(parameters.chebyshev.size())) +
                         (parameters.variation.is_none() ? 0 : 2);
   if (auto problem = covariance_problem(parameters.covariance, unknowns)) return *problem;

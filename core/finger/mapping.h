@@ -41,6 +41,23 @@ struct FaceVariation {
   }
 };
 
+/// How light spreads in the layer before it comes back (core/sensing/depth/light_spread.h). Zero
+/// scattering: the brightness of a pixel depends on the layer at that pixel alone.
+struct LightSpread {
+  /// -log of the part of the light that comes back where it went in, for a line of sight along the
+  /// normal; 0 to kMaxScattering.
+  double scattering = 0, scattering_sd = 0;
+  /// Width of the skirt relative to that of an even layer that scatters in all directions alike.
+  double width_factor = 1;
+  /// b of the Moebius curve for a line of sight along the normal, > 0, and the logarithm of its
+  /// change from the middle of the calibrated length to its end: the angle of the light changes.
+  double b_straight = 0, log_b_along = 0;
+  double middle_mm = 0, half_mm = 1;  ///< of the calibrated length along the face
+
+  static constexpr double kMaxScattering = 2.5, kMinWidth = 0.3, kMaxWidth = 3.0;
+  [[nodiscard]] bool is_local() const { return scattering == 0; }
+};
+
 /// Parameters of a mapping.
 ///   polynomial: d = x * sum_k c_k T_k(2 x / x_max - 1), T_k Chebyshev polynomials: zero at zero by
 ///               construction and well conditioned on [0, x_max].
@@ -52,6 +69,7 @@ struct MappingParameters {
   std::vector<double> chebyshev;  ///< polynomial: c_0 .. c_n, at most 12, mm
   double a_mm = 0, b = 0;         ///< moebius
   FaceVariation variation;
+  LightSpread spread;  ///< moebius along the normal only: x is then what is left without it
   /// Of chebyshev, or of (a, b), followed by variation.part if it is set; empty when unknown.
   Eigen::MatrixXd covariance;
 };

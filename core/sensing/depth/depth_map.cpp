@@ -3,7 +3,9 @@
 #include "core/image/grey_range.h"
 #include "core/numerics/dispatch.h"
 #include "core/numerics/image_noise.h"
+#include "core/numerics/median.h"
 #include "core/numerics/vector_loops.h"
+#include "core/sensing/depth/light_spread.h"
 #include "core/sensing/depth/smoothing.h"
 #include "core/sensing/reference/image_warp.h"
 
@@ -338,18 +340,17 @@ LightGain frame_light(const cv::Mat& grey, const Reference& reference, const Fac
 
 }  // namespace
 
-Difference difference(const cv::Mat& grey, const Reference& reference, const FaceShape& shape,
-                      const DifferenceOptions& options) {
-  CV_Assert(shape.width_px() == grey.cols);
+namespace {
+
+/// All of a difference but its noise.
+Difference difference_with(const cv::Mat& grey, const Reference& reference, const FaceRuns& face,
+                           const DifferenceOptions& options, const LightGain& light) {
   Difference result;
   result.x = pooled_image(grey.size(), CV_32FC1);
   result.flags = pooled_image(grey.size(), CV_8UC1);
-  result.face = face_runs(shape, options.edge_margin_px, grey.size(), options.columns);
+  result.face = face;
   result.blur_px2 = options.smoothing.blur_px2();
-  const double noise_sd = frame_noise(grey, reference, result.face, options);
-  result.light = frame_light(grey, reference, result.face, options, noise_sd);
-  result.grey_sd = options.smoothing.noise_factor() * noise_sd * result.light.noise_ratio() *
-                   std::hypot(1.0, reference.noise_gain);
+  result.light = light;
   compare(
       grey, reference, result.face, options, result.light, std::numeric_limits<float>::infinity(),
       result.flags, [&](int row) { return result.x.ptr<float>(row); },
@@ -359,14 +360,51 @@ Difference difference(const cv::Mat& grey, const Reference& reference, const Fac
   return result;
 }
 
-DepthMap depth_map(const Difference& difference, const Mapping& mapping, const FaceShape& shape) {
+DepthMap depth_map_in_one_pass(const cv::Mat& grey, const Reference& reference,
+                               const FaceShape& shape, const FaceRuns& face,
+                               const DifferenceOptions& options, const Mapping& mapping,
+                               const LightGain& light) {
+  DepthMap map{pooled_image(grey.size(), CV_32FC1),
+               pooled_image(grey.size(), CV_8UC1),
+               {},
+               0.0,
+               0.0,
+               light,
+               false};
+  DepthMapper depth_mapper(mapping, shape, face, map);
+  std::vector<float> x(static_cast<std::size_t>(grey.cols));
+  compare(
+      grey, reference, face, options, map.light, static_cast<float>(mapping.x_max()), map.flags,
+      [&](int) { return x.data(); }, [&](int row) { depth_mapper(row, x.data()); });
+  depth_mapper.finish();
+  return map;
+}
+
+}  // namespace
+
+Difference difference(const cv::Mat& grey, const Reference& reference, const FaceShape& shape,
+                      const DifferenceOptions& options) {
+  CV_Assert(shape.width_px() == grey.cols);
+  const FaceRuns face = face_runs(shape, options.edge_margin_px, grey.size(), options.columns);
+  const double noise_sd = frame_noise(grey, reference, face, options);
+  Difference result = difference_with(grey, reference, face, options,
+                                      frame_light(grey, reference, face, options, noise_sd));
+  result.grey_sd = options.smoothing.noise_factor() * noise_sd * result.light.noise_ratio() *
+                   std::hypot(1.0, reference.noise_gain);
+  return result;
+}
+
+DepthMap depth_map(const Difference& compared, const Mapping& mapping, const FaceShape& shape) {
+  Difference difference = compared;
+  remove_light_spread(mapping.parameters(), shape, &difference);
   DepthMap map{pooled_image(difference.x.size(), CV_32FC1),
                difference.flags.clone(),
                {},
                0.0,
                0.0,
                difference.light,
-               false};
+               false,
+               difference.spread_removed};
   DepthMapper depth_mapper(mapping, shape, difference.face, map);
   const auto x_max = static_cast<float>(mapping.x_max());
   for (int row = 0; row < difference.x.rows; ++row) {
@@ -382,26 +420,19 @@ DepthMap depth_map(const Difference& difference, const Mapping& mapping, const F
 DepthMap depth_map(const cv::Mat& grey, const Reference& reference, const FaceShape& shape,
                    const DifferenceOptions& options, const Mapping& mapping) {
   CV_Assert(shape.width_px() == grey.cols);
-  DepthMap map{pooled_image(grey.size(), CV_32FC1),
-               pooled_image(grey.size(), CV_8UC1),
-               {},
-               0.0,
-               0.0,
-               {},
-               false};
   const FaceRuns face = face_runs(shape, options.edge_margin_px, grey.size(), options.columns);
   const double noise_sd = frame_noise(grey, reference, face, options);
-  map.light = frame_light(grey, reference, face, options, noise_sd);
-  map.is_light_unknown = options.correct_light && map.light.inlier_fraction() == 0;
-  DepthMapper depth_mapper(mapping, shape, face, map);
-  std::vector<float> x(static_cast<std::size_t>(grey.cols));
-  compare(
-      grey, reference, face, options, map.light, static_cast<float>(mapping.x_max()), map.flags,
-      [&](int) { return x.data(); }, [&](int row) { depth_mapper(row, x.data()); });
-  depth_mapper.finish();
-  map.live_sd = options.smoothing.noise_factor() * noise_sd * map.light.noise_ratio();
+  const LightGain light = frame_light(grey, reference, face, options, noise_sd);
+  DepthMap map =
+      mapping.parameters().spread.is_local()
+          ? depth_map_in_one_pass(grey, reference, shape, face, options, mapping, light)
+          : depth_map(difference_with(grey, reference, face, options, light), mapping, shape);
+  map.is_light_unknown = options.correct_light && light.inlier_fraction() == 0;
+  map.live_sd = options.smoothing.noise_factor() * noise_sd * light.noise_ratio();
   map.noise_mm = mapping.slope_mm(0.0) * map.live_sd * std::hypot(1.0, reference.noise_gain) /
                  mean_brightness(grey, face);
+  if (std::vector<float> gain = map.spread_removed.noise_gain; !gain.empty())
+    map.noise_mm *= static_cast<double>(upper_median(gain));
   return map;
 }
 

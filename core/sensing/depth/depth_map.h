@@ -50,6 +50,14 @@ struct FlagFractions {
 /// Sets kHiddenEnd in these columns where the flag is kOffFace. flags: CV_8UC1 of PixelFlag.
 void flag_hidden(const std::vector<HiddenColumn>& columns, cv::Mat* flags);
 
+/// What the removal of the spread of light did to a frame (light_spread.h). Empty: nothing.
+struct SpreadRemoved {
+  cv::Mat change;                 ///< CV_32FC1: x after less x before, where it is seen
+  std::vector<float> noise_gain;  ///< by column: noise of a pixel after over before
+  std::vector<float> level_gain;  ///< by column: the same for errors that are wider than the skirt
+  [[nodiscard]] bool is_none() const { return change.empty(); }
+};
+
 /// x = (I_ref - q I) / I_ref after smoothing, with q the requested correction of the light.
 /// CV_32FC1, NaN where there is no measurement; `flags` hold the reason.
 struct Difference {
@@ -61,6 +69,7 @@ struct Difference {
   double grey_sd = 0;
   double blur_px2 = 0;  ///< variance of the blur of x, see Smoothing
   LightGain light;      ///< change of the light, if requested
+  SpreadRemoved spread_removed;
 };
 
 struct DepthMap {
@@ -72,6 +81,7 @@ struct DepthMap {
   double live_sd = 0;             ///< noise of the image alone after smoothing, grey levels
   LightGain light;                ///< change of the light, if requested
   bool is_light_unknown = false;  ///< it was requested, but too little of the face shows it
+  SpreadRemoved spread_removed = {};
 };
 
 struct DifferenceOptions {
@@ -91,14 +101,16 @@ struct DifferenceOptions {
 [[nodiscard]] Difference difference(const cv::Mat& grey, const Reference& reference,
                                     const FaceShape& shape, const DifferenceOptions& options);
 
-/// Applies the mapping: depth < 0 where x < 0 (bulge), with flags beyond the calibrated domain. The
-/// layer's thickness limits depths of both signs (along z: layer / cos(incline), incline at most 75
-/// degrees). Noise of contact-free skin has both signs, so means of depth are unbiased. Depths of a
-/// mapping along the normal are converted to depths along z.
+/// Applies the mapping, after the spread of light is removed if the mapping has one and
+/// `difference` still contains it: depth < 0 where x < 0 (bulge), with flags beyond the calibrated
+/// domain. The layer's thickness limits depths of both signs (along z: layer / cos(incline),
+/// incline at most 75 degrees). Noise of contact-free skin has both signs, so means of depth are
+/// unbiased. Depths of a mapping along the normal are converted to depths along z.
 [[nodiscard]] DepthMap depth_map(const Difference& difference, const Mapping& mapping,
                                  const FaceShape& shape);
 
-/// Both in one pass, without storing the differences: the same bytes at half the memory traffic.
+/// Both in one pass, without storing the differences unless light spreads: the same bytes at half
+/// the memory traffic.
 [[nodiscard]] DepthMap depth_map(const cv::Mat& grey, const Reference& reference,
                                  const FaceShape& shape, const DifferenceOptions& options,
                                  const Mapping& mapping);

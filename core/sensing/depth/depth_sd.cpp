@@ -106,6 +106,22 @@ void DepthErrorModel::add_lateral(int u, int v, DepthErrorTerms& causes) const {
                              0.25 * kOpticsPx2 * kOpticsPx2 * bend_square);
 }
 
+DepthErrorModel::SpreadGain DepthErrorModel::spread_gain(int u) const {
+  const SpreadRemoved& removed = depth_.spread_removed;
+  if (removed.is_none()) return {};
+  const auto column = static_cast<std::size_t>(u);
+  return {static_cast<double>(removed.noise_gain[column]),
+          static_cast<double>(removed.level_gain[column])};
+}
+
+/// The change by the removal of spread light grows with the scattering as 1 - exp(-scattering).
+double DepthErrorModel::spread_sd(int u, int v) const {
+  if (depth_.spread_removed.is_none()) return 0.0;
+  const LightSpread& spread = mapping_.parameters().spread;
+  return std::abs(static_cast<double>(depth_.spread_removed.change.at<float>(v, u))) *
+         spread.scattering_sd / std::expm1(spread.scattering) * std::exp(spread.scattering);
+}
+
 double DepthErrorModel::level_at(int u, int v) {
   const FaceRun one{v, u, u + 1, 0};
   return static_cast<double>(reader_.row(v, {&one, 1})[u]) / kGreySteps;
@@ -150,10 +166,13 @@ DepthErrorTerms DepthErrorModel::causes(int u, int v, double level, double depth
   const double per_part = longer * factor * slope_mm;  // mm per relative brightness
   const double left = std::max(0.0, 1.0 - x);
   DepthErrorTerms causes;
-  causes.noise = per_part * depth_.live_sd / level * std::hypot(1.0, left * reference_.noise_gain);
-  causes.mapping = longer * mapping_.depth_sd_mm(x, position);
-  causes.reference = per_part * left * reference_sd(u, v);
-  causes.light = per_part * left * depth_.light.sd_at(u, v) / depth_.light.at(u, v);
+  const SpreadGain gain = spread_gain(u);
+  causes.noise = per_part * gain.noise * depth_.live_sd / level *
+                 std::hypot(1.0, left * reference_.noise_gain);
+  causes.mapping =
+      std::hypot(longer * mapping_.depth_sd_mm(x, position), per_part * spread_sd(u, v));
+  causes.reference = per_part * gain.level * left * reference_sd(u, v);
+  causes.light = per_part * gain.level * left * depth_.light.sd_at(u, v) / depth_.light.at(u, v);
   return causes;
 }
 
@@ -171,9 +190,10 @@ UntouchedSd DepthErrorModel::untouched(int u, int v) {
   const double per_part = static_cast<double>(along_z_[static_cast<std::size_t>(u)]) *
                           mapping_.parameters().variation.at(shape_.position_mm(u, v)) *
                           mapping_.slope_mm(0.0);
-  return {
-      per_part * depth_.live_sd / level * std::hypot(1.0, reference_.noise_gain),
-      per_part * std::hypot(reference_sd(u, v), depth_.light.sd_at(u, v) / depth_.light.at(u, v))};
+  const SpreadGain gain = spread_gain(u);
+  return {per_part * gain.noise * depth_.live_sd / level * std::hypot(1.0, reference_.noise_gain),
+          per_part * gain.level *
+              std::hypot(reference_sd(u, v), depth_.light.sd_at(u, v) / depth_.light.at(u, v))};
 }
 
 cv::Mat depth_sd_mm(const DepthMap& depth, const Reference& reference, const FaceShape& shape,

@@ -18,7 +18,9 @@ namespace alltact {
 struct DepthErrorTerms {
   /// Noise of the image and of its reference: f M'(x) sd / I_ref sqrt(1 + (1 - x)^2 gain^2).
   double noise = 0;
-  double mapping = 0;  ///< uncertainty of the calibration (Mapping::depth_sd_mm at the position)
+  /// Uncertainty of the calibration: Mapping::depth_sd_mm at the position, and that of the
+  /// scattering of light (light_spread.h).
+  double mapping = 0;
   /// Error of this recording's references here (reference_image.h), from the pose, imperfect skin
   /// registration and blemishes: f M'(x) (1 - x) sd_ref / I_ref.
   double reference = 0;
@@ -63,6 +65,12 @@ class DepthErrorModel {
   [[nodiscard]] double reference_sd(int u, int v);
   void add_lateral(int u, int v, DepthErrorTerms& causes) const;
   [[nodiscard]] double level_at(int u, int v);
+  /// Errors after the removal of spread light over before.
+  struct SpreadGain {
+    double noise = 1, level = 1;
+  };
+  [[nodiscard]] SpreadGain spread_gain(int u) const;
+  [[nodiscard]] double spread_sd(int u, int v) const;  ///< of x, by the uncertain scattering
   using ReadCurve = At (DepthErrorModel::*)(double depth_mm) const;
   [[nodiscard]] DepthErrorTerms causes(int u, int v, double level, double depth_mm, ReadCurve read);
 

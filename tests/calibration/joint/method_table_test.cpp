@@ -12,14 +12,14 @@ namespace {
 
 using namespace made;
 
-const Layer kLayer{0.7, 0.02};
+const Layer kComparedLayer{0.7, 0.02};
 
 /// A hard edge: the skin lies on the ball to the rim of its cap, where the circle looks for it.
 std::vector<Press> presses_on(const MadeScene& scene, const Contact& contact) {
   std::mt19937 random(61);
   std::vector<Press> presses;
   for (int i = 0; i < 4; ++i)
-    presses.push_back(make_press(scene, kLayer, contact,
+    presses.push_back(make_press(scene, kComparedLayer, contact,
                                  {{130.0 + 40 * i, 110.0 + 25 * i, 4.0, 0.5 + 0.15 * i}}, 1.0,
                                  random, fmt::format("p{}", i))
                           .press);

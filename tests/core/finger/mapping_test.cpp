@@ -1,6 +1,7 @@
 #include "core/finger/mapping.h"
 
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <random>
 #include <string_view>
@@ -362,6 +363,34 @@ TEST(Mapping, RefusesWhatIsNoMapping) {
   MappingParameters p = cubic();
   p.covariance = Eigen::Matrix2d::Identity();
   EXPECT_EQ(key_of(p), "mapping.covariance");
+}
+
+TEST(Mapping, SpreadOfLightIsRefusedWhereItHasNoMeaning) {
+  const auto spreading = [](auto change) {
+    MappingParameters p;
+    p.kind = MappingKind::kMoebius;
+    p.along = MappingAlong::kNormal;
+    p.a_mm = 2.0, p.b = 0.5, p.x_max = 0.5;
+    p.spread.scattering = 0.8;
+    change(p);
+    return Mapping::create(p);
+  };
+  EXPECT_TRUE(spreading([](MappingParameters&) {}).ok());
+  const std::vector<std::function<void(MappingParameters&)>> wrong{
+      [](MappingParameters& p) { p.kind = MappingKind::kPolynomial, p.chebyshev = {1.0}; },
+      [](MappingParameters& p) { p.along = MappingAlong::kZ; },
+      [](MappingParameters& p) { p.b = -1.2; },
+      [](MappingParameters& p) { p.spread.scattering = 3.0; },
+      [](MappingParameters& p) { p.spread.scattering = NAN; },
+      [](MappingParameters& p) { p.spread.width_factor = 0.1; },
+      [](MappingParameters& p) { p.spread.half_mm = 0.0; },
+      [](MappingParameters& p) { p.spread.b_straight = INFINITY; },
+      [](MappingParameters& p) { p.spread.log_b_along = NAN; }};
+  for (std::size_t i = 0; i < wrong.size(); ++i) {
+    const auto mapping = spreading(wrong[i]);
+    ASSERT_FALSE(mapping.ok()) << i;
+    EXPECT_EQ(mapping.error().where.english(), "mapping.spread") << i;
+  }
 }
 
 }  // namespace

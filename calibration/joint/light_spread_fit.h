@@ -1,0 +1,62 @@
+// Whether a layer spreads light, and a calibration that takes it into account.
+//
+// A local mapping reads the skirt of scattered light (light_spread.h) as depth next to a contact,
+// and calibration with balls hides it inside. Here the brightness around every ball, up to several
+// layer thicknesses beyond its rim, is explained at once: by the ball, the skin that leaves it,
+// and the spread of light. Ball and skin are round, so that all is a function of the distance from
+// the contact's axis, and the skirt one tridiagonal system.
+//
+// UNKNOWNS
+// Of each press: where on the face, and how deep. Of all together: rho and b of the curve
+// (light_spread.h), the change of b along the face, the lift-off length of the skin
+// (contact_model.h), its rise around the ball, and for light that spreads the scattering and the
+// skirt's width, which physics ties to it.
+//
+// CHOICE
+// Local light, with the thickness that counts along the normal, along z or along the line of sight,
+// explains the same pixels with the same skin. Spread light is taken where it is more probable, its
+// own priors included: local fingers are explained by skirts narrower than layers have.
+// Neighbouring pixels count as one over the area of three squares of the layer's thickness, since
+// what the formulas leave varies as slowly.
+#pragma once
+
+#include "calibration/joint/joint_fit.h"
+#include "calibration/presses/press.h"
+#include "core/base/job.h"
+#include "core/finger/finger.h"
+#include "core/finger/mapping.h"
+
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace alltact {
+
+struct BallStart {
+  const Press* press = nullptr;
+  Eigen::Vector3d centre_mm;
+};
+
+/// Only `is_seen` and `log_evidence` are set where it is not seen.
+struct LightSpreadFit {
+  MappingParameters mapping;                ///< without x_max
+  std::vector<Eigen::Vector3d> centres_mm;  ///< in order of the presses
+  std::vector<double> depth_mm;             ///< of each ball, along the normal
+  Eigen::MatrixXd centre_covariance;        ///< 3 x 3 for each press, below each other
+  double lift_mm = 0;
+  /// How much each ball's depth changes when the other presses alone give the mapping.
+  std::vector<double> held_out_mm;
+  /// log of the probability over that of the best local light; 0 where no layer is like this
+  double log_evidence = 0;
+  bool is_seen = false;  ///< significant, in most presses
+};
+
+/// nullopt: fewer than three presses, or no fit. Two to four seconds of single fits at most.
+[[nodiscard]] std::optional<LightSpreadFit> fit_light_spread(const std::vector<BallStart>& balls,
+                                                             const Face& face, const Job& job);
+
+/// The press as a layer with local light would show it.
+[[nodiscard]] Press without_light_spread(const Press& press, const MappingParameters& mapping);
+
+}  // namespace alltact
