@@ -1,7 +1,6 @@
 #include "calibration/joint/light_spread_fit.h"
 
 #include "calibration/joint/contact_model.h"
-#include "core/numerics/linear_algebra.h"
 #include "core/sensing/depth/light_spread.h"
 
 #include <algorithm>
@@ -104,7 +103,6 @@ struct FitState {
 class RadialProfile {
  public:
   RadialProfile(double reach_mm) : step_mm_(reach_mm / kRadii), values_(kRadii) {}
-  [[nodiscard]] double step_mm() const { return step_mm_; }
   [[nodiscard]] double radius_mm(int i) const { return (i + 0.5) * step_mm_; }
   double& operator[](int i) { return values_[static_cast<std::size_t>(i)]; }
   [[nodiscard]] double operator[](int i) const { return values_[static_cast<std::size_t>(i)]; }

@@ -338,10 +338,6 @@ LightGain frame_light(const cv::Mat& grey, const Reference& reference, const Fac
   return light_gain(grey, reference.image, face, options.noise_sd, reference.noise_gain, noise_sd);
 }
 
-}  // namespace
-
-namespace {
-
 /// All of a difference but its noise.
 Difference difference_with(const cv::Mat& grey, const Reference& reference, const FaceRuns& face,
                            const DifferenceOptions& options, const LightGain& light) {
