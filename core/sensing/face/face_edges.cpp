@@ -2,6 +2,7 @@
 
 #include "core/numerics/dispatch.h"
 #include "core/numerics/image_noise.h"
+#include "core/sensing/face/darkened_edge.h"
 #include "core/sensing/face/edge_tracing.h"
 
 #include <algorithm>
@@ -45,6 +46,10 @@ Result<FaceEdges> FaceEdgeFinder::operator()(const cv::Mat& grey) const {
   const EdgeReader lower(grey, options_, edges.noise_sd, -sign, false);
   edges.upper = find_edge(upper, *rough, rough->upper, edges.u);
   edges.lower = find_edge(lower, *rough, rough->lower, edges.u);
+  if (options_.method == EdgeMethod::kCrossing) {
+    move_to_darkened_edge(grey, edges.u, true, &edges.upper);
+    move_to_darkened_edge(grey, edges.u, false, &edges.lower);
+  }
   edges.ends = find_face_ends(grey, edges, options_.view ? &*options_.view : nullptr);
   invalidate_beyond(edges.ends, 0.25 * step, edges);
 

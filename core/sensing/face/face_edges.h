@@ -71,7 +71,7 @@ struct FaceEdges {
 };
 
 enum class EdgeMethod {
-  kCrossing = 1,  ///< crossing of the mean of both sides' levels: nearly optimal
+  kCrossing = 1,  ///< crossing of the mean of both sides' levels, corrected where the face darkens
   kInteger,       ///< the steepest integer pixel
 };
 
