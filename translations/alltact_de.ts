@@ -5641,8 +5641,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>örtliches Licht</translation>
     </message>
     <message>
-        <source>on a layer that scatters, &apos;auto&apos; is more accurate, most of all with flat and small bodies; unusual skin may be taken for such a layer</source>
-        <translation>auf einer streuenden Schicht ist &apos;auto&apos; genauer, vor allem bei flachen und kleinen Körpern; ungewöhnliche Haut kann für eine solche Schicht gehalten werden</translation>
+        <source>on a layer that scatters, &apos;auto&apos; is more accurate, most of all with flat and small bodies</source>
+        <translation>auf einer streuenden Schicht ist &apos;auto&apos; genauer, vor allem bei flachen und kleinen Körpern</translation>
     </message>
     <message>
         <source>&apos;auto&apos; takes a few seconds more, and each image of a layer that spreads light some hundredths of a second more</source>

@@ -5602,8 +5602,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>局部的光</translation>
     </message>
     <message>
-        <source>on a layer that scatters, &apos;auto&apos; is more accurate, most of all with flat and small bodies; unusual skin may be taken for such a layer</source>
-        <translation>在散射的层上 &apos;auto&apos; 更准确，对平的和小的物体尤其如此；不寻常的皮肤可能被当作这样的层</translation>
+        <source>on a layer that scatters, &apos;auto&apos; is more accurate, most of all with flat and small bodies</source>
+        <translation>在散射的层上 &apos;auto&apos; 更准确，对平的和小的物体尤其如此</translation>
     </message>
     <message>
         <source>&apos;auto&apos; takes a few seconds more, and each image of a layer that spreads light some hundredths of a second more</source>

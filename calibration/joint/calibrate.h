@@ -36,7 +36,8 @@
 // Chebyshev coefficients, and two more where it varies over the face; the skin's lift-off length.
 // Cross-validation over the presses chooses the family, the direction of the thickness that
 // brightness follows, and whether the mapping varies. Covariances of balls and mapping are
-// estimated, too.
+// estimated, too. Where the brightness around the balls shows that the layer spreads light, balls,
+// mapping and spread come from a fit of their own (light_spread_fit.h).
 //
 // WHAT IS NOT ESTIMATED
 // Camera, lens distortion, layer thickness, the balls' radii, the face's shape in each image and

@@ -84,7 +84,7 @@ const std::vector<Setting<CalibrationSettings>>& calibration_settings() {
               {{"auto", LightSpreadChoice::kAuto, en::say("light that may spread")},
                {"local", LightSpreadChoice::kLocal, en::say("local light")}}),
           {en::say("on a layer that scatters, 'auto' is more accurate, most of all with flat and "
-                   "small bodies; unusual skin may be taken for such a layer"),
+                   "small bodies"),
            en::say("'auto' takes a few seconds more, and each image of a layer that spreads light "
                    "some hundredths of a second more"),
            {"local", "auto"}}),

@@ -31,7 +31,7 @@ struct CalibrationSettings {
   int degree = 0;  ///< number of Chebyshev coefficients, 1..8; 0: chosen by cross-validation
   AlongChoice along = AlongChoice::kAuto;
   FaceVariationChoice face_variation = FaceVariationChoice::kAuto;
-  LightSpreadChoice light_spread = LightSpreadChoice::kLocal;
+  LightSpreadChoice light_spread = LightSpreadChoice::kAuto;
   /// rounds of reweighting at most; the fit ends earlier when it has converged
   int iterations = 60;
 };

@@ -300,6 +300,10 @@ double contact_radius_mm(double rim2_mm2, double lift_mm) {
   return rim2_mm2 / (std::sqrt(lift_mm * lift_mm + rim2_mm2) + lift_mm);
 }
 
+double half_space_tail(double q) {
+  return 2.0 / M_PI * ((2.0 - q * q) * std::asin(1.0 / q) + std::sqrt(q * q - 1.0));
+}
+
 SkinDepth skin_depth(double ball_mm, double height_mm, double radius_mm, double lift_mm) {
   const double rim2 = (radius_mm - height_mm) * (radius_mm + height_mm);
   if (!(lift_mm > 0.0) || !(rim2 > 0.0)) return {ball_mm};

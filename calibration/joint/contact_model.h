@@ -37,6 +37,10 @@ constexpr double kTypicalLiftMm = 0.12;
 /// Distance from the ball's axis at which the skin leaves the ball, mm, for a given r^2.
 [[nodiscard]] double contact_radius_mm(double rim2_mm2, double lift_mm);
 
+/// Depth of an elastic half space around a ball, as a part of that at the contact's edge, at `q` =
+/// r over the contact's radius, from 1. K. L. Johnson, Contact Mechanics, 3.42a.
+[[nodiscard]] double half_space_tail(double q);
+
 /// Depth of the skin, normal to the plane.
 struct SkinDepth {
   double mm = 0;

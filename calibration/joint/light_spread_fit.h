@@ -2,22 +2,15 @@
 //
 // A local mapping reads the skirt of scattered light (light_spread.h) as depth next to a contact,
 // and calibration with balls hides it inside. Here the brightness around every ball, up to several
-// layer thicknesses beyond its rim, is explained at once: by the ball, the skin that leaves it,
-// and the spread of light. Ball and skin are round, so that all is a function of the distance from
-// the contact's axis, and the skirt one tridiagonal system.
-//
-// UNKNOWNS
-// Of each press: where on the face, and how deep. Of all together: rho and b of the curve
-// (light_spread.h), the change of b along the face, the lift-off length of the skin
-// (contact_model.h), its rise around the ball, and for light that spreads the scattering and the
-// skirt's width, which physics ties to it.
+// layer thicknesses beyond its rim, is explained at once: by the ball, the skin that leaves it
+// (skin_profile.h), and the spread of light (spread_model.h).
 //
 // CHOICE
 // Local light, with the thickness that counts along the normal, along z or along the line of sight,
-// explains the same pixels with the same skin. Spread light is taken where it is more probable, its
-// own priors included: local fingers are explained by skirts narrower than layers have.
-// Neighbouring pixels count as one over the area of three squares of the layer's thickness, since
-// what the formulas leave varies as slowly.
+// explains the same pixels with a skin of any form. Spread light is taken where it is more
+// probable, with all that either of both may be: local fingers are explained by skirts narrower
+// than layers have. Neighbouring pixels count as one over the area of three squares of the layer's
+// thickness, since what the formulas leave varies as slowly.
 #pragma once
 
 #include "calibration/joint/joint_fit.h"
@@ -42,12 +35,11 @@ struct BallStart {
 struct LightSpreadFit {
   MappingParameters mapping;                ///< without x_max
   std::vector<Eigen::Vector3d> centres_mm;  ///< in order of the presses
-  std::vector<double> depth_mm;             ///< of each ball, along the normal
   Eigen::MatrixXd centre_covariance;        ///< 3 x 3 for each press, below each other
   double lift_mm = 0;
   /// How much each ball's depth changes when the other presses alone give the mapping.
   std::vector<double> held_out_mm;
-  /// log of the probability over that of the best local light; 0 where no layer is like this
+  /// log of the probability over that of the best local light
   double log_evidence = 0;
   bool is_seen = false;  ///< significant, in most presses
 };

@@ -210,11 +210,6 @@ constexpr double kFallsTo = 0.5, kFallsNoFurther = 0.08;
 // A bonded layer fades a half space's skirt within a part of its thickness.
 constexpr double kFadePart = 0.25;
 
-/// Depth of an elastic half space at q = r / a > 1, as a part of that at the contact's edge.
-double half_space_tail(double q) {
-  return 2.0 / M_PI * ((2.0 - q * q) * std::asin(1.0 / q) + std::sqrt(q * q - 1.0));
-}
-
 struct Rings {
   double near_mm = 0, far_mm = 0, skin_mm = 0;
 };

@@ -48,9 +48,10 @@ Press press_of(const std::vector<double>& shown, const RoundPress& at, std::mt19
   return {name, noisy_difference(x, grain, 1.0), scene.shape, at.radius_mm};
 }
 
-const std::vector<RoundPress> kPresses{{150, 120, 4.0, 0.4},  {250, 180, 2.0, 0.6},
-                                       {180, 190, 4.0, 0.75}, {260, 110, 4.0, 0.9},
-                                       {200, 150, 2.0, 0.5},  {160, 160, 2.0, 0.7}};
+const std::vector<RoundPress> kPresses{
+    {150, 120, 4.0, 0.4}, {250, 180, 2.0, 0.6}, {180, 190, 4.0, 0.75},
+    {260, 110, 4.0, 0.9}, {200, 150, 2.0, 0.5}, {160, 160, 2.0, 0.7},
+    {170, 170, 6.0, 0.5}, {230, 140, 3.0, 0.8}, {210, 165, 6.0, 0.8}};
 
 std::vector<Press> ball_presses(const WalkedLayer& layer, const Contact& contact,
                                 std::mt19937& random) {
@@ -86,15 +87,15 @@ TEST(LightSpreadFit, BallsOnAWalkedLayerMakeAPunchReadRight) {
     const Relief1d flat = [](double r) { return 0.5 / (1.0 + std::exp((r - 2.0) / 0.03)); };
     const Press punch = press_of(shown(layer, flat, 7.0), {200, 150, 4.0, 0.5}, random, "punch");
 
-    CalibrationSettings as_seen;
-    as_seen.light_spread = LightSpreadChoice::kAuto;
-    const auto spread = calibrate(presses, scene.camera, scene.face, as_seen, Job{});
+    const auto spread = calibrate(presses, scene.camera, scene.face, {}, Job{});
     ASSERT_TRUE(spread.ok()) << spread.error().sentence();
     EXPECT_FALSE(spread->mapping.spread.is_local());
     for (std::size_t i = 0; i < kPresses.size(); ++i)
       EXPECT_NEAR(spread->balls[i].indentation_mm, kPresses[i].depth_mm, 0.1 * kPresses[i].depth_mm)
           << optical << " press " << i;
-    const auto local = calibrate(presses, scene.camera, scene.face, {}, Job{});
+    CalibrationSettings as_local;
+    as_local.light_spread = LightSpreadChoice::kLocal;
+    const auto local = calibrate(presses, scene.camera, scene.face, as_local, Job{});
     ASSERT_TRUE(local.ok());
     const PunchReading with = read_punch(punch, spread->mapping),
                        without = read_punch(punch, local->mapping);

@@ -1,0 +1,203 @@
+#include "calibration/joint/spread_model.h"
+
+#include "calibration/joint/contact_model.h"
+#include "core/sensing/depth/light_spread.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+namespace alltact {
+namespace {
+
+constexpr int kSamplesAround = 900;   // a press
+constexpr double kReachLayers = 4.0;  // beyond the rim of a contact
+constexpr double kMaxReachMm = 14.0;  // of samples from the contact's middle
+constexpr double kModelPart = 0.02;   // of x: what the formulas of light_spread.h leave
+constexpr double kModelFloor = 0.002;
+constexpr double kCorrelatedLayers2 = 3.0;  // squared thicknesses for one observation
+constexpr double kTypicalFadeMm = 2.4;
+
+std::optional<Eigen::Vector2d> face_position(const FaceShape& shape,
+                                             const Eigen::Vector3d& view_point) {
+  const auto pixel = shape.camera().project(view_point);
+  if (!pixel) return std::nullopt;
+  return shape.position_mm(pixel->x(), pixel->y());
+}
+
+/// Change of the normal's direction per mm along the face.
+double curvature_at(const FaceShape& shape, const Eigen::Vector2d& pixel) {
+  constexpr double kCurvatureStepPx = 12.0;
+  const auto before = shape.at(pixel.x() - kCurvatureStepPx, pixel.y()),
+             after = shape.at(pixel.x() + kCurvatureStepPx, pixel.y());
+  if (!before || !after) return 0.0;
+  const Eigen::Vector3d step = after->view_point_mm - before->view_point_mm;
+  return (after->normal - before->normal).dot(step) / step.squaredNorm();
+}
+
+SpreadSample spread_sample(const Sample& sample, const SightInLayer& sight, bool base_at_low_u) {
+  SpreadSample made;
+  made.position_mm = sample.position_mm;
+  made.sight_mm = sight.displacement_mm;
+  const Eigen::Vector3d off = sample.untouched_z - sample.untouched_n;
+  const double along = (off - off.dot(sample.normal) * sample.normal).norm();
+  made.z_mm = {(sample.normal.x() < 0) == base_at_low_u ? along : -along, 0.0};
+  made.cos_sight = sight.cos_sight;
+  made.cos_incline = sample.cos_incline;
+  made.x = sample.x;
+  return made;
+}
+
+SkinForm skin_form(Bed bed, const Eigen::VectorXd& shared) {
+  SkinForm form;
+  form.bed = bed;
+  form.lift_mm = std::exp(std::clamp(shared[kLogReturn], -4.0, 1.0));
+  form.fade_mm = std::exp(std::clamp(shared[kLogReturn], -1.0, 7.0));
+  form.lift_power = std::clamp(shared[kLiftPower], -0.5, 1.5);
+  for (int i = 0; i < 3; ++i) form.rise[static_cast<std::size_t>(i)] = shared[kRise + i];
+  form.rise_power = std::clamp(shared[kRisePower], 0.0, 2.5);
+  return form;
+}
+
+}  // namespace
+
+const SpreadSample& SpreadPress::nearest_to(const Eigen::Vector2d& position_mm) const {
+  return *std::min_element(samples.begin(), samples.end(),
+                           [&](const SpreadSample& a, const SpreadSample& b) {
+                             return (a.position_mm - position_mm).squaredNorm() <
+                                    (b.position_mm - position_mm).squaredNorm();
+                           });
+}
+
+std::optional<SpreadPress> spread_press(const Press& press, const Face& face,
+                                        const Eigen::Vector3d& centre_mm) {
+  constexpr std::size_t kLeastSamples = 50;
+  const auto contact = ball_on_face(press.shape, face, centre_mm, press.ball_radius_mm);
+  if (!contact || !(contact->depth_mm > 0)) return std::nullopt;
+  const Eigen::Vector3d view_point = contact->middle_mm - face.layer_mm * contact->normal;
+  const auto pixel = press.shape.camera().project(view_point);
+  const auto position = face_position(press.shape, view_point);
+  if (!pixel || !position) return std::nullopt;
+  SpreadPress made;
+  made.radius_mm = press.ball_radius_mm;
+  made.curvature_per_mm = curvature_at(press.shape, *pixel);
+  made.given_depth = press.given_depth;
+  made.start << *position, std::log(std::clamp(contact->depth_mm, 0.05, 0.9 * face.layer_mm));
+  const double reach = std::min(kMaxReachMm, contact->radius_mm + kReachLayers * face.layer_mm);
+  const PressSamples around = sample_around(press, face, contact->middle_mm, reach, kSamplesAround);
+  double area_mm2 = 0;
+  for (const Sample& sample : around.samples) {
+    const auto sight = sight_in_layer(press.shape, sample.pixel.x(), sample.pixel.y());
+    if (!sight) continue;
+    SpreadSample one = spread_sample(sample, *sight, press.shape.base_at_low_u());
+    one.sd = std::hypot(around.x_sd, std::hypot(kModelFloor, kModelPart * sample.x));
+    area_mm2 += sample.by_u.cross(sample.by_v).norm() * around.block_px * around.block_px;
+    made.reach_mm =
+        std::max(made.reach_mm, (one.position_mm - *position).norm() + one.sight_mm.norm());
+    made.samples.push_back(one);
+  }
+  if (made.samples.size() < kLeastSamples) return std::nullopt;
+  made.observations =
+      std::max(8.0, area_mm2 / (kCorrelatedLayers2 * face.layer_mm * face.layer_mm));
+  made.reach_mm += 1.0;
+  return made;
+}
+
+UnknownPrior prior_of(int shared, Hypothesis hypothesis) {
+  const bool is_half_space = hypothesis.bed == Bed::kHalfSpace;
+  switch (shared) {
+    case kLogRho:  // local light may follow other laws than those of light_spread.h
+      return {std::log(0.97), hypothesis.seen == SeenAt::kSpread ? 0.08 : 0.5};
+    case kLogB:
+      return {0.0, 1.5};
+    case kLogBAlong:
+      return {0.0, 0.4};
+    case kLogReturn:
+      return is_half_space ? UnknownPrior{std::log(kTypicalFadeMm), 2.0}
+                           : UnknownPrior{std::log(kTypicalLiftMm), 1.0};
+    case kLiftPower:
+      return {0.0, 0.5};
+    case kRisePower:
+      return {1.0, 0.5};
+    case kLogScattering:
+      return {std::log(0.6), 0.8};
+    case kLogWidth:
+      return {0.0, 0.2};
+    default:
+      return {0.0, 0.04};  // rises
+  }
+}
+
+SpreadModel::SpreadModel(std::vector<SpreadPress> presses, double layer_mm)
+    : presses_(std::move(presses)), layer_mm_(layer_mm) {
+  const auto [first, last] = std::minmax_element(
+      presses_.begin(), presses_.end(),
+      [](const SpreadPress& a, const SpreadPress& b) { return a.start[0] < b.start[0]; });
+  middle_mm_ = 0.5 * (first->start[0] + last->start[0]);
+  half_mm_ = std::max(0.5 * (last->start[0] - first->start[0]), 1.0);
+}
+
+LightSpread SpreadModel::spread_by(const Eigen::VectorXd& shared) const {
+  LightSpread spread;
+  spread.scattering =
+      std::clamp(std::exp(shared[kLogScattering]), 0.01, LightSpread::kMaxScattering);
+  spread.width_factor =
+      std::clamp(std::exp(shared[kLogWidth]), LightSpread::kMinWidth, LightSpread::kMaxWidth);
+  spread.b_straight = std::exp(std::clamp(shared[kLogB], -6.0, 4.0));
+  spread.log_b_along = std::clamp(shared[kLogBAlong], -3.0, 3.0);
+  spread.middle_mm = middle_mm_;
+  spread.half_mm = half_mm_;
+  return spread;
+}
+
+FitState SpreadModel::start() const {
+  FitState start;
+  for (int i = 0; i < kSharedCount; ++i)
+    start.shared[i] = prior_of(i, {SeenAt::kSpread, Bed::kMembrane}).mean;
+  for (const SpreadPress& press : presses_) start.own.push_back(press.start);
+  return start;
+}
+
+void SpreadModel::predict(std::size_t index, Hypothesis hypothesis, const Eigen::VectorXd& shared,
+                          const Eigen::Vector3d& own, Eigen::VectorXd* x) const {
+  constexpr double kNearPole = 0.1;
+  const SpreadPress& press = presses_[index];
+  const bool is_spread = hypothesis.seen == SeenAt::kSpread;
+  const RoundContact contact{press.radius_mm, press.curvature_per_mm, layer_mm_,
+                             std::exp(std::min(own[2], 2.0))};
+  RadialProfile y = skin_profile(contact, skin_form(hypothesis.bed, shared), press.reach_mm);
+  const LightSpread spread = spread_by(shared);
+  const SpreadSample& nearest = press.nearest_to(own.head<2>());
+  const double b = b_at(spread, own[0], is_spread ? nearest.cos_sight : 1.0);
+  double thickness = std::exp(shared[kLogRho]) * layer_mm_;
+  if (hypothesis.seen == SeenAt::kZ) thickness *= nearest.cos_incline;
+  for (int i = 0; i < RadialProfile::kCount; ++i)
+    y[i] /= std::max(kNearPole * thickness, thickness * (1.0 + b) - b * y[i]);
+  const double stretch = 1.0 + layer_mm_ * press.curvature_per_mm;
+  const auto distance = [&](const Eigen::Vector2d& at) {
+    return std::hypot(stretch * (at.x() - own[0]), at.y() - own[1]);
+  };
+  x->resize(static_cast<Eigen::Index>(press.samples.size()));
+  Eigen::Index k = 0;
+  if (!is_spread) {
+    for (const SpreadSample& sample : press.samples) {
+      Eigen::Vector2d at = sample.position_mm;
+      if (hypothesis.seen == SeenAt::kZ) at += sample.z_mm;
+      if (hypothesis.seen == SeenAt::kSight) at += sample.sight_mm;
+      (*x)[k++] = y.at(distance(at));
+    }
+    return;
+  }
+  const RadialProfile skirt = y.over_skirt(skirt_width_mm(spread, layer_mm_));
+  for (const SpreadSample& sample : press.samples) {
+    const ObliqueSpread oblique = oblique_spread(spread, sample.cos_sight);
+    const double core = y.at(distance(sample.position_mm + oblique.core_shift * sample.sight_mm));
+    const double around =
+        skirt.at(distance(sample.position_mm + oblique.skirt_shift * sample.sight_mm));
+    (*x)[k++] = oblique.core * core + (1.0 - oblique.core) * around;
+  }
+}
+
+}  // namespace alltact

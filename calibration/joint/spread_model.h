@@ -1,0 +1,107 @@
+// Brightness around balls as a layer with spread light, or with local light, would show it.
+//
+// Ball and skin are round, so all is a function of the distance from the contact's axis, and the
+// skirt of scattered light one tridiagonal system.
+#pragma once
+
+#include "calibration/joint/skin_profile.h"
+#include "calibration/presses/press.h"
+#include "core/finger/finger.h"
+#include "core/finger/mapping.h"
+
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace alltact {
+
+/// A block of pixels near a ball.
+struct SpreadSample {
+  Eigen::Vector2d position_mm;  // on the face
+  Eigen::Vector2d sight_mm;     // SightInLayer::displacement_mm
+  Eigen::Vector2d z_mm;         // from the foot of the normal to the outer side along z
+  double cos_sight = 1, cos_incline = 1;
+  double x = 0;   // brightness difference
+  double sd = 1;  // its noise, and what the formulas of light_spread.h leave
+};
+
+/// A press and the face around it.
+struct SpreadPress {
+  std::vector<SpreadSample> samples;
+  double radius_mm = 0;
+  double curvature_per_mm = 0;  // RoundContact
+  double reach_mm = 0;          // of radial profiles
+  /// Samples that count as independent: what the formulas leave varies over the layer's thickness.
+  double observations = 1;
+  std::optional<GivenDepth> given_depth;
+  Eigen::Vector3d start;  // along, across, log of the depth along the normal
+
+  [[nodiscard]] const SpreadSample& nearest_to(const Eigen::Vector2d& position_mm) const;
+};
+
+/// nullopt: the ball is off the face, or hardly any of its surroundings is visible.
+[[nodiscard]] std::optional<SpreadPress> spread_press(const Press& press, const Face& face,
+                                                      const Eigen::Vector3d& centre_mm);
+
+/// Where the light of a pixel comes from.
+enum class SeenAt { kNormal, kZ, kSight, kSpread };
+struct Hypothesis {
+  SeenAt seen;
+  Bed bed;
+};
+
+/// Unknowns that all presses share, scaled to about 1: the curve (light_spread.h), the skin's form
+/// (skin_profile.h), and of spread light only scattering and the factor of the skirt's width.
+enum Shared {
+  kLogRho,
+  kLogB,
+  kLogBAlong,
+  kLogReturn,  // lift-off length of a membrane, or length of a half space's fading
+  kLiftPower,
+  kRise,
+  kRisePower = kRise + 3,
+  kLogScattering,
+  kLogWidth,
+  kSharedCount
+};
+/// Of a press: along, across, log of the depth.
+constexpr int kOwn = 3;
+
+struct FitState {
+  Eigen::VectorXd shared = Eigen::VectorXd::Zero(kSharedCount);
+  std::vector<Eigen::Vector3d> own;  // by press
+};
+
+struct UnknownPrior {
+  double mean, sd;
+};
+[[nodiscard]] UnknownPrior prior_of(int shared, Hypothesis hypothesis);
+
+// b = 0.65 t^1.85 for light at 53 degrees, and about twice or half of that for 70 or 25 degrees.
+constexpr double kBOfT = 0.65, kBPower = 1.85, kLogBSd = 0.5;
+
+class SpreadModel {
+ public:
+  SpreadModel(std::vector<SpreadPress> presses, double layer_mm);
+
+  /// How many of Shared a hypothesis has.
+  [[nodiscard]] static int count_of(Hypothesis hypothesis) {
+    return hypothesis.seen == SeenAt::kSpread ? kSharedCount : kLogScattering;
+  }
+  [[nodiscard]] const std::vector<SpreadPress>& presses() const { return presses_; }
+  [[nodiscard]] double layer_mm() const { return layer_mm_; }
+  [[nodiscard]] LightSpread spread_by(const Eigen::VectorXd& shared) const;
+  /// From the positions found by brightness, and the priors' means.
+  [[nodiscard]] FitState start() const;
+
+  /// Brightness differences that the press at `index` should show.
+  void predict(std::size_t index, Hypothesis hypothesis, const Eigen::VectorXd& shared,
+               const Eigen::Vector3d& own, Eigen::VectorXd* x) const;
+
+ private:
+  std::vector<SpreadPress> presses_;
+  double layer_mm_, middle_mm_ = 0, half_mm_ = 1;
+};
+
+}  // namespace alltact

@@ -1,0 +1,163 @@
+#include "calibration/joint/spread_solver.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <Eigen/Dense>
+
+namespace alltact {
+namespace {
+
+constexpr double kLinearFrom = 3.0;  // standard deviations from which the loss is linear
+
+double soft_loss(double z) {
+  const double q = z * z / (kLinearFrom * kLinearFrom);
+  return kLinearFrom * kLinearFrom * 2.0 * (std::sqrt(1.0 + q) - 1.0);
+}
+
+double robust_weight(double z) {
+  return 1.0 / std::sqrt(1.0 + z * z / (kLinearFrom * kLinearFrom));
+}
+
+}  // namespace
+
+double Normal::scale() const {
+  constexpr double kLeast = 0.05;
+  double sum = 0, count = 0;
+  for (const double square : mean_square)
+    if (square > 0) sum += square, ++count;
+  return count > 0 ? std::max(sum / count, kLeast) : 1.0;
+}
+
+SpreadSolver::SpreadSolver(const SpreadModel& model, Hypothesis hypothesis, int skip,
+                           bool fix_shared)
+    : model_(model),
+      hypothesis_(hypothesis),
+      skip_(skip),
+      shared_(fix_shared ? 0 : SpreadModel::count_of(hypothesis)) {}
+
+Normal SpreadSolver::evaluate(const FitState& state) const {
+  const std::size_t presses = model_.presses().size();
+  Normal normal;
+  normal.hessian = Eigen::MatrixXd::Zero(own_at(presses), own_at(presses));
+  normal.gradient = Eigen::VectorXd::Zero(own_at(presses));
+  for (std::size_t p = 0; p < presses; ++p) {
+    if (static_cast<int>(p) == skip_) {
+      normal.mean_square.push_back(0.0);
+      normal.hessian.diagonal().segment<kOwn>(own_at(p)).setOnes();
+      continue;
+    }
+    add_press(state, p, &normal);
+    if (model_.presses()[p].given_depth) add_given_depth(state, p, &normal);
+  }
+  add_priors(state.shared, &normal);
+  return normal;
+}
+
+void SpreadSolver::add_press(const FitState& state, std::size_t p, Normal* normal) const {
+  constexpr double kStep = 1e-4;
+  const SpreadPress& press = model_.presses()[p];
+  const auto count = static_cast<Eigen::Index>(press.samples.size());
+  const double each = std::min(1.0, press.observations / static_cast<double>(count));
+  Eigen::VectorXd x, moved, residual(count), weight(count);
+  model_.predict(p, hypothesis_, state.shared, state.own[p], &x);
+  double sum = 0;
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const SpreadSample& sample = press.samples[static_cast<std::size_t>(k)];
+    residual[k] = (x[k] - sample.x) / sample.sd;
+    sum += soft_loss(residual[k]);
+    weight[k] = each * robust_weight(residual[k]);
+  }
+  normal->cost += each * sum;
+  normal->mean_square.push_back(sum / static_cast<double>(count));
+
+  Eigen::MatrixXd rows(count, shared_ + kOwn);
+  for (int c = 0; c < shared_ + kOwn; ++c) {
+    Eigen::VectorXd shared = state.shared;
+    Eigen::Vector3d own = state.own[p];
+    (c < shared_ ? shared[c] : own[c - shared_]) += kStep;
+    model_.predict(p, hypothesis_, shared, own, &moved);
+    for (Eigen::Index k = 0; k < count; ++k)
+      rows(k, c) = (moved[k] - x[k]) / (kStep * press.samples[static_cast<std::size_t>(k)].sd);
+  }
+  const Eigen::MatrixXd weighted = weight.asDiagonal() * rows;
+  const Eigen::MatrixXd block = rows.transpose() * weighted;
+  const Eigen::VectorXd pull = weighted.transpose() * residual;
+  const Eigen::Index own = own_at(p), s = shared_;
+  normal->hessian.topLeftCorner(s, s) += block.topLeftCorner(s, s);
+  normal->hessian.block(0, own, s, kOwn) += block.topRightCorner(s, kOwn);
+  normal->hessian.block(own, 0, kOwn, s) += block.bottomLeftCorner(kOwn, s);
+  normal->hessian.block<kOwn, kOwn>(own, own) += block.bottomRightCorner<kOwn, kOwn>();
+  normal->gradient.head(s) += pull.head(s);
+  normal->gradient.segment<kOwn>(own) += pull.tail<kOwn>();
+}
+
+void SpreadSolver::add_given_depth(const FitState& state, std::size_t p, Normal* normal) const {
+  const GivenDepth& given = *model_.presses()[p].given_depth;
+  const double depth = std::exp(state.own[p][2]);
+  const double z = (depth - given.mm) / given.sd_mm, row = depth / given.sd_mm;
+  const Eigen::Index i = own_at(p) + 2;
+  normal->cost += soft_loss(z);
+  normal->hessian(i, i) += robust_weight(z) * row * row;
+  normal->gradient[i] += robust_weight(z) * row * z;
+}
+
+void SpreadSolver::add_priors(const Eigen::VectorXd& shared, Normal* normal) const {
+  Eigen::MatrixXd hessian = Eigen::MatrixXd::Zero(shared_, shared_);
+  const auto add = [&](double z, const Eigen::VectorXd& by) {
+    normal->prior_cost += z * z;
+    normal->gradient.head(shared_) += z * by;
+    hessian += by * by.transpose();
+  };
+  for (int i = 0; i < shared_; ++i) {
+    const UnknownPrior prior = prior_of(i, hypothesis_);
+    add((shared[i] - prior.mean) / prior.sd, Eigen::VectorXd::Unit(shared_, i) / prior.sd);
+  }
+  if (hypothesis_.seen == SeenAt::kSpread && shared_ > 0) {
+    Eigen::VectorXd by = Eigen::VectorXd::Unit(shared_, kLogB) / kLogBSd;
+    by[kLogScattering] = -kBPower / kLogBSd;
+    add((shared[kLogB] - std::log(kBOfT) - kBPower * shared[kLogScattering]) / kLogBSd, by);
+  }
+  normal->cost += normal->prior_cost;
+  normal->hessian.topLeftCorner(shared_, shared_) += hessian;
+  normal->prior_hessian = std::move(hessian);
+}
+
+FitState SpreadSolver::moved(const FitState& state, const Eigen::VectorXd& by) const {
+  constexpr double kLongest = 0.7;  // the exponentials are steep
+  FitState next = state;
+  const double longest = by.cwiseAbs().maxCoeff();
+  const double limited = longest > kLongest ? kLongest / longest : 1.0;
+  next.shared.head(shared_) += limited * by.head(shared_);
+  for (std::size_t p = 0; p < next.own.size(); ++p)
+    next.own[p] += limited * by.segment<kOwn>(own_at(p));
+  return next;
+}
+
+std::optional<FitState> SpreadSolver::solve(FitState state, int max_steps, const Job& job) const {
+  double damping = 1e-2;
+  Normal here = evaluate(state);
+  if (!std::isfinite(here.cost)) return std::nullopt;
+  for (int step = 0; step < max_steps && !job.stop_requested(); ++step) {
+    Eigen::MatrixXd damped = here.hessian;
+    damped.diagonal() *= 1.0 + damping;
+    damped.diagonal().array() += 1e-12;
+    const Eigen::VectorXd by = damped.ldlt().solve(-here.gradient);
+    FitState next = by.allFinite() ? moved(state, by) : state;
+    Normal there = by.allFinite() ? evaluate(next) : Normal{};
+    if (by.allFinite() && std::isfinite(there.cost) && there.cost < here.cost) {
+      const double gained = here.cost - there.cost;
+      state = std::move(next);
+      here = std::move(there);
+      damping = std::max(1e-9, damping / 5.0);
+      if (gained < 1e-4 * (1.0 + 1e-3 * here.cost)) break;
+    } else {
+      damping *= 6.0;
+      if (damping > 1e8) break;
+    }
+  }
+  return state;
+}
+
+}  // namespace alltact
