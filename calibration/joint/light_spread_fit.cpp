@@ -61,9 +61,9 @@ double log_likelihood(double mean_square) {
   return -0.5 * (mean_square < 1.0 ? mean_square : 1.0 + std::log(mean_square));
 }
 
-double log_determinant(const Eigen::MatrixXd& positive) {
-  constexpr double kLeast = 1e-300;
-  return positive.ldlt().vectorD().array().max(kLeast).log().sum();
+/// Of a symmetric positive definite matrix.
+double log_determinant(const Eigen::MatrixXd& matrix) {
+  return 2.0 * matrix.llt().matrixLLT().diagonal().array().log().sum();
 }
 
 /// log of the part of what the priors allow that the data leave (Laplace's approximation of the
@@ -74,6 +74,9 @@ double log_volume_left(const Normal& normal) {
   hessian.topLeftCorner(s, s) -= normal.prior_hessian;
   hessian /= normal.scale();
   hessian.topLeftCorner(s, s) += normal.prior_hessian;
+  // Places within a millimetre, depths within a factor of e: a ball that its press does not
+  // determine is no evidence.
+  hessian.diagonal().tail(hessian.rows() - s).array() += 1.0;
   return 0.5 * (log_determinant(normal.prior_hessian) - log_determinant(hessian));
 }
 
@@ -113,7 +116,8 @@ Evidence evidence_of(const SpreadModel& model, const FittedHypothesis& spread, c
 bool is_seen(const Evidence& evidence) {
   constexpr double kSignificant = 2.2;  // 9 to 1
   constexpr double kMostPresses = 0.6;
-  return evidence.log_ratio > kSignificant && evidence.presses >= kMostPresses;
+  return std::isfinite(evidence.log_ratio) && evidence.log_ratio > kSignificant &&
+         evidence.presses >= kMostPresses;
 }
 
 /// The mapping of the presses' mean angle of sight; those of other angles are converted to it.

@@ -49,9 +49,9 @@ Press press_of(const std::vector<double>& shown, const RoundPress& at, std::mt19
 }
 
 const std::vector<RoundPress> kPresses{
-    {150, 120, 4.0, 0.4}, {250, 180, 2.0, 0.6}, {180, 190, 4.0, 0.75},
-    {260, 110, 4.0, 0.9}, {200, 150, 2.0, 0.5}, {160, 160, 2.0, 0.7},
-    {170, 170, 6.0, 0.5}, {230, 140, 3.0, 0.8}, {210, 165, 6.0, 0.8}};
+    {150, 120, 4.0, 0.4}, {250, 180, 2.0, 0.6}, {180, 190, 4.0, 0.75}, {260, 110, 4.0, 0.9},
+    {200, 150, 2.0, 0.5}, {160, 160, 2.0, 0.7}, {170, 170, 6.0, 0.5},  {230, 140, 3.0, 0.8},
+    {210, 165, 6.0, 0.8}, {190, 140, 1.5, 0.4}, {220, 150, 2.0, 0.85}, {205, 155, 6.0, 0.95}};
 
 std::vector<Press> ball_presses(const WalkedLayer& layer, const Contact& contact,
                                 std::mt19937& random) {
@@ -77,7 +77,8 @@ PunchReading read_punch(const Press& punch, const MappingParameters& parameters)
 }
 
 TEST(LightSpreadFit, BallsOnAWalkedLayerMakeAPunchReadRight) {
-  // With 0.9 and less the fit is as near, but not told from unusual skin.
+  // With 0.9 and less, or fewer presses, the fit is as near, but not told from unusual skin:
+  // without oblique sight only the form of the profiles tells.
   for (const double optical : {1.6}) {
     std::mt19937 random(17);
     const WalkedLayer layer(1.5, optical, 0.6, 12000, 5);
