@@ -74,7 +74,7 @@ double log_volume_left(const Normal& normal) {
   hessian.topLeftCorner(s, s) -= normal.prior_hessian;
   hessian /= normal.scale();
   hessian.topLeftCorner(s, s) += normal.prior_hessian;
-  // Places within a millimetre, depths within a factor of e: a ball that its press does not
+  // Positions within a millimetre, depths within a factor of e: a ball that its press does not
   // determine is no evidence.
   hessian.diagonal().tail(hessian.rows() - s).array() += 1.0;
   return 0.5 * (log_determinant(normal.prior_hessian) - log_determinant(hessian));

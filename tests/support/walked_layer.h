@@ -1,4 +1,4 @@
-// Brightness of a dented layer from paths of light, walked backwards from the view face: the truth
+// Brightness of an indented layer from paths of light, walked backwards from the view face: the truth
 // for tests of light that spreads. Shares no formula with the code under test.
 #pragma once
 

@@ -1,9 +1,11 @@
 #include "core/sensing/face/darkened_edge.h"
 
+#include "core/numerics/median.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <cstdint>
 
 #include <Eigen/Dense>
 
@@ -95,7 +97,7 @@ bool may_darken(const Rows& brightness) {
 
 }  // namespace
 
-std::optional<DarkenedEdge> fit_darkened_edge(const AcrossEdge& profile) {
+std::optional<double> fit_darkened_edge(const AcrossEdge& profile) {
   constexpr double kMostPx = 2.0;
   constexpr double kLeastStep = 0.15;      // of the contrast
   constexpr double kLeastDarkening = 0.1;  // below, the crossing itself has no bias
@@ -112,7 +114,7 @@ std::optional<DarkenedEdge> fit_darkened_edge(const AcrossEdge& profile) {
   if (!(step > kLeastStep && step < 1.0 - kLeastDarkening) || !(left < kMostLeft) ||
       !(std::abs(form.at_px) < kMostPx))
     return std::nullopt;
-  return DarkenedEdge{-form.at_px, 1.0 - step};
+  return -form.at_px;
 }
 
 namespace {
@@ -153,12 +155,6 @@ std::optional<std::array<float, AcrossEdge::kCount>> across(const cv::Mat& grey,
   return sums;
 }
 
-double median_of(std::vector<float>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return static_cast<double>(*middle);
-}
-
 /// A stretch of the edge: its middle column, and how far crossings lie inside.
 struct Window {
   double u = 0, inside_px = 0;
@@ -183,11 +179,11 @@ std::vector<Window> windows_of(const cv::Mat& grey, const std::vector<double>& u
       for (std::size_t k = 0; k < rows.size(); ++k) rows[k].push_back((*profile)[k]);
     }
     if (rows[0].size() < kLeastSamples) continue;
-    AcrossEdge mean;
+    AcrossEdge middle;
     const double middle_u = sum_u / static_cast<double>(rows[0].size());
-    for (std::vector<float>& row : rows) mean.brightness.push_back(median_of(row));
-    if (const auto darkened = fit_darkened_edge(mean))
-      windows.push_back({middle_u, darkened->inside_px});
+    for (std::size_t k = 0; k < rows.size(); ++k)
+      middle.brightness[k] = static_cast<double>(upper_median(rows[k]));
+    if (const auto inside_px = fit_darkened_edge(middle)) windows.push_back({middle_u, *inside_px});
   }
   return windows;
 }

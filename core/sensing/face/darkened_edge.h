@@ -12,6 +12,7 @@
 
 #include "core/sensing/face/face_edges.h"
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -22,16 +23,12 @@ namespace alltact {
 /// Brightness across an edge, at distances kFirst, kFirst + 1, .. from its crossing inwards, px.
 struct AcrossEdge {
   static constexpr int kFirst = -6, kCount = 21;
-  std::vector<double> brightness;  ///< kCount grey levels
+  std::array<double, kCount> brightness{};  ///< grey levels
 };
 
-struct DarkenedEdge {
-  double inside_px = 0;  ///< -r0 above: how far the crossing lies inside the edge
-  double darkening =
-      0;  ///< recovery / (step + recovery): part of the face's brightness that it loses
-};
-/// nullopt: the profile is not of that form, or the face hardly darkens.
-[[nodiscard]] std::optional<DarkenedEdge> fit_darkened_edge(const AcrossEdge& profile);
+/// -r0 above: how far the crossing lies inside the edge, px. nullopt: the profile is not of that
+/// form, or the face hardly darkens.
+[[nodiscard]] std::optional<double> fit_darkened_edge(const AcrossEdge& profile);
 
 /// Moves the valid samples of one edge from crossings to the edge, where the face darkens.
 /// `is_upper`: the face is at larger v. Uses medians over eighths of the edge, so that dots and one

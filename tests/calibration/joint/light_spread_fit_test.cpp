@@ -19,7 +19,7 @@ using namespace made;
 constexpr double kStepMm = 0.1;
 using Relief1d = std::function<double(double r_mm)>;
 
-/// What the walked layer shows of a round dent, by the distance from its axis.
+/// What the walked layer shows of a round indentation, by the distance from its axis.
 std::vector<double> shown(const WalkedLayer& layer, const Relief1d& relief, double reach_mm) {
   std::vector<double> x;
   for (double r = 0; r < reach_mm; r += kStepMm)

@@ -53,13 +53,13 @@ MappingParameters spreading(double scattering, double a_mm, double b) {
   return mapping;
 }
 
-/// A dent with a flat and a round part, by the position on the face, mm.
-double dent(double s_mm, double w_mm) {
+/// A indentation with a flat and a round part, by the position on the face, mm.
+double indentation(double s_mm, double w_mm) {
   const double r = std::hypot(s_mm, w_mm), beside = std::hypot(s_mm - 4.0, w_mm - 1.0);
   return 0.35 / (1.0 + std::exp((r - 1.5) / 0.3)) + 0.2 * std::exp(-beside * beside / 0.8);
 }
 
-/// The dent's mean over the skirt, summed over rings around a place.
+/// The indentation's mean over the skirt, summed over rings around a place.
 double beside(double s_mm, double w_mm, double width_mm) {
   constexpr int kRings = 60, kSectors = 24;
   double sum = 0, all = 0;
@@ -69,7 +69,7 @@ double beside(double s_mm, double w_mm, double width_mm) {
         i == 0 ? within(to, width_mm) : within(to, width_mm) - within(from, width_mm);
     for (int k = 0; k < kSectors; ++k) {
       const double angle = 2.0 * M_PI * (k + 0.5 * (i % 2)) / kSectors, r = 0.5 * (from + to);
-      sum += part / kSectors * dent(s_mm + r * std::cos(angle), w_mm + r * std::sin(angle));
+      sum += part / kSectors * indentation(s_mm + r * std::cos(angle), w_mm + r * std::sin(angle));
     }
     all += part;
   }
@@ -93,7 +93,7 @@ TEST(LightSpread, RemovalGivesTheDentOfAnEvenFaceSeenAlongItsNormal) {
     for (int v = 0; v < 300; ++v)
       for (int u = 0; u < 400; ++u) {
         const double s = 0.05 * (u - 200), w = 0.05 * (v - 150);
-        truth.at<float>(v, u) = static_cast<float>(dent(s, w));
+        truth.at<float>(v, u) = static_cast<float>(indentation(s, w));
         if (v % 4 == 0 && u % 4 == 0)
           difference.x(cv::Rect(u, v, 4, 4)) = (1 - core) * beside(s + 0.075, w + 0.075, width_mm);
       }
@@ -103,9 +103,9 @@ TEST(LightSpread, RemovalGivesTheDentOfAnEvenFaceSeenAlongItsNormal) {
     const double off_before = cv::norm(before, truth, cv::NORM_L2),
                  off_after = cv::norm(difference.x, truth, cv::NORM_L2);
     EXPECT_LT(off_after, 0.3 * off_before) << scattering;
-    // In the middle of the dent, and 0.7 mm beside it.
-    EXPECT_NEAR(difference.x.at<float>(150, 200), dent(0, 0), 0.02) << scattering;
-    EXPECT_NEAR(difference.x.at<float>(150, 156), dent(-2.2, 0), 0.012) << scattering;
+    // In the middle of the indentation, and 0.7 mm beside it.
+    EXPECT_NEAR(difference.x.at<float>(150, 200), indentation(0, 0), 0.02) << scattering;
+    EXPECT_NEAR(difference.x.at<float>(150, 156), indentation(-2.2, 0), 0.012) << scattering;
   }
 }
 

@@ -1,4 +1,4 @@
-// Edges whose place is known, of faces that darken towards them: drawn with sixteen rows for one,
+// Edges at known positions, of faces that darken towards them: drawn with sixteen rows for one,
 // blurred, averaged and with noise.
 #include "core/sensing/face/darkened_edge.h"
 
@@ -105,8 +105,9 @@ TEST(DarkenedEdge, AnEvenFaceIsLeftAlone) {
 TEST(DarkenedEdge, AProfileOfAnotherFormTellsNothing) {
   AcrossEdge ramp, wave;
   for (int i = 0; i < AcrossEdge::kCount; ++i) {
-    ramp.brightness.push_back(40.0 + 6.0 * i);
-    wave.brightness.push_back(100.0 + 60.0 * std::sin(1.3 * i));
+    const auto k = static_cast<std::size_t>(i);
+    ramp.brightness[k] = 40.0 + 6.0 * i;
+    wave.brightness[k] = 100.0 + 60.0 * std::sin(1.3 * i);
   }
   EXPECT_FALSE(fit_darkened_edge(ramp));
   EXPECT_FALSE(fit_darkened_edge(wave));
