@@ -1,5 +1,5 @@
-// Brightness of an indented layer from paths of light, walked backwards from the view face: the truth
-// for tests of light that spreads. Shares no formula with the code under test.
+// Brightness of an indented layer from paths of light, walked backwards from the view face: the
+// truth for tests of light that spreads. Shares no formula with the code under test.
 #pragma once
 
 #include <cmath>
