@@ -95,15 +95,14 @@ Json mapping_json(const Mapping& mapping, const std::optional<MappingRecord>& re
   if (const LightSpread& spread = parameters.spread; !spread.is_local()) {
     json["spread"] = {
         {"formula",
-         "before M, x is solved for y: x(p) = core y(p + 0.85 u) + (1 - core) (k * y)(p + s u), u "
-         "the "
-         "displacement along the face to where the line of sight meets the layer's outer side, k * "
-         "y "
-         "= q with q - width^2 laplace q = y, m = 1 / cos(sight to normal) - 1, t = scattering: "
-         "core "
-         "= exp(-t (1 + 0.2 m)), width = width_factor 0.6 layer / sqrt(t), s = 0.48 - 0.04 t^2 - "
-         "0.08 t m; then y is replaced by that of the same depth T (1 + c) y / (1 + c y) on M, T = "
-         "a_mm / (1 + b), c = b_straight (1 + 1.1 m) exp(log_b_along (place - middle) / half)"},
+         "before M, x is solved for y: x(p) = core y(p + c u) + (1 - core) q(p + s u), u the "
+         "displacement along the face to where the line of sight meets the layer's untouched outer "
+         "side, c the part of that way on which it first meets the skin, c = 1 - d / layer with d "
+         "the depth there, q - width^2 laplace q = (1 - q) y / (1 - y), m = 1 / cos(sight to "
+         "normal) - 1, t = scattering: core = exp(-t (1 + 0.47 m)), width = width_factor 0.63 "
+         "layer / t^0.55, s = 0.46 - 0.1 t; d = T (1 + b) y / (1 + b y) with T = a_mm / (1 + b of "
+         "M), b = b_straight (1 + 1.1 m) exp(log_b_along (along - middle) / half); then y is "
+         "replaced by that of the same depth on M"},
         {"scattering", spread.scattering},
         {"scattering_sd", spread.scattering_sd},
         {"width_factor", spread.width_factor},

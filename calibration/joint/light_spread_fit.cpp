@@ -24,24 +24,27 @@ struct FittedHypothesis {
   Normal normal;
 };
 
-/// The best of some starts.
+/// The best of some starts, of which the most promising one is followed to its end.
 std::optional<FittedHypothesis> best_fit(const SpreadModel& model, Hypothesis hypothesis,
                                          const Job& job) {
-  constexpr int kSteps = 60;
+  constexpr int kTriedSteps = 10, kSteps = 60;
   const SpreadSolver solver(model, hypothesis);
   const std::vector<double> scatterings =
-      hypothesis.seen == SeenAt::kSpread ? std::vector{0.15, 0.5, 1.2} : std::vector{0.5};
-  std::optional<FittedHypothesis> best;
+      hypothesis.seen == SeenAt::kSpread ? std::vector{0.3, 1.0} : std::vector{0.5};
+  std::optional<FitState> best;
+  double least_cost = 0;
   for (const double scattering : scatterings) {
     FitState from = model.start();
     from.shared[kLogScattering] = std::log(scattering);
     from.shared[kLogB] = std::log(kBOfT) + kBPower * std::log(scattering);
-    const auto state = solver.solve(from, kSteps, job);
+    auto state = solver.solve(from, kTriedSteps, job);
     if (!state) continue;
-    Normal normal = solver.evaluate(*state);
-    if (!best || normal.cost < best->normal.cost) best = {hypothesis, *state, std::move(normal)};
+    const double cost = solver.evaluate(*state).cost;
+    if (!best || cost < least_cost) best = std::move(state), least_cost = cost;
   }
-  return best;
+  if (best) best = solver.solve(*best, kSteps, job);
+  if (!best) return std::nullopt;
+  return FittedHypothesis{hypothesis, *best, solver.evaluate(*best)};
 }
 
 /// nullopt: no fit, or the job was stopped.
@@ -103,7 +106,8 @@ Evidence evidence_against(const SpreadModel& model, const Normal& local, const N
 /// Against the local light that explains most.
 Evidence evidence_of(const SpreadModel& model, const FittedHypothesis& spread, const Job& job) {
   Evidence least;
-  for (const SeenAt seen : {SeenAt::kNormal, SeenAt::kZ, SeenAt::kSight})
+  for (const SeenAt seen :
+       {SeenAt::kNormal, SeenAt::kZ, SeenAt::kSight, SeenAt::kOuterZ, SeenAt::kOuterSight})
     for (const Bed bed : kBeds) {
       const auto local = best_fit(model, {seen, bed}, job);
       if (!local) continue;
@@ -114,7 +118,7 @@ Evidence evidence_of(const SpreadModel& model, const FittedHypothesis& spread, c
 }
 
 bool is_seen(const Evidence& evidence) {
-  constexpr double kSignificant = 2.2;  // 9 to 1
+  constexpr double kSignificant = 3.0;  // 20 to 1
   constexpr double kMostPresses = 0.6;
   return std::isfinite(evidence.log_ratio) && evidence.log_ratio > kSignificant &&
          evidence.presses >= kMostPresses;

@@ -1,6 +1,7 @@
 #include "calibration/joint/skin_profile.h"
 
 #include "calibration/joint/contact_model.h"
+#include "core/sensing/depth/light_spread.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +34,7 @@ double RadialProfile::at(double r_mm) const {
   return (*this)[i] + (index - i) * ((*this)[i + 1] - (*this)[i]);
 }
 
-RadialProfile RadialProfile::over_skirt(double width_mm) const {
+RadialProfile RadialProfile::skirt_lost(double width_mm) const {
   // Rings of finite volumes give one tridiagonal system; Thomas' elimination.
   RadialProfile skirt = *this;
   std::array<double, kCount> above{};
@@ -42,10 +43,11 @@ RadialProfile RadialProfile::over_skirt(double width_mm) const {
     const double middle = i + 0.5;
     const double in = w2 * i / middle;
     const double out = i + 1 < kCount ? w2 * (i + 1) / middle : w2 * step_mm_ / width_mm;
+    const double loss = skirt_loss((*this)[i]);
     const double diagonal =
-        1.0 + in + out - (i > 0 ? in * above[static_cast<std::size_t>(i) - 1] : 0.0);
+        1.0 + loss + in + out - (i > 0 ? in * above[static_cast<std::size_t>(i) - 1] : 0.0);
     above[static_cast<std::size_t>(i)] = (i + 1 < kCount ? out : 0.0) / diagonal;
-    skirt[i] = ((*this)[i] + (i > 0 ? in * skirt[i - 1] : 0.0)) / diagonal;
+    skirt[i] = (loss + (i > 0 ? in * skirt[i - 1] : 0.0)) / diagonal;
   }
   for (int i = kCount - 2; i >= 0; --i)
     skirt[i] += above[static_cast<std::size_t>(i)] * skirt[i + 1];

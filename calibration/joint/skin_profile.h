@@ -18,9 +18,9 @@ class RadialProfile {
   [[nodiscard]] double operator[](int i) const { return values_[static_cast<std::size_t>(i)]; }
   /// Linear between the steps; flat on the axis and beyond the reach.
   [[nodiscard]] double at(double r_mm) const;
-  /// q of q - width^2 laplace q = y, y this function: the mean of y over the skirt of scattered
-  /// light (light_spread.h). Beyond the reach q decays as exp(-r / width).
-  [[nodiscard]] RadialProfile over_skirt(double width_mm) const;
+  /// The part of the skirt's light that is lost (q of light_spread.h) where even layers would show
+  /// this function. Beyond the reach it decays as exp(-r / width).
+  [[nodiscard]] RadialProfile skirt_lost(double width_mm) const;
 
  private:
   double step_mm_;

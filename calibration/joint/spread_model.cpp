@@ -2,6 +2,7 @@
 
 #include "calibration/joint/contact_model.h"
 #include "core/sensing/depth/light_spread.h"
+#include "core/sensing/depth/unrolled_face.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +13,7 @@
 namespace alltact {
 namespace {
 
-constexpr int kSamplesAround = 900;   // a press
+constexpr int kSamplesAround = 500;   // a press
 constexpr double kReachLayers = 4.0;  // beyond the rim of a contact
 constexpr double kMaxReachMm = 14.0;  // of samples from the contact's middle
 constexpr double kModelPart = 0.02;   // of x: what the formulas of light_spread.h leave
@@ -45,7 +46,6 @@ SpreadSample spread_sample(const Sample& sample, const SightInLayer& sight, bool
   const double along = (off - off.dot(sample.normal) * sample.normal).norm();
   made.z_mm = {(sample.normal.x() < 0) == base_at_low_u ? along : -along, 0.0};
   made.cos_sight = sight.cos_sight;
-  made.cos_incline = sample.cos_incline;
   made.x = sample.x;
   return made;
 }
@@ -109,7 +109,8 @@ UnknownPrior prior_of(int shared, Hypothesis hypothesis) {
   const bool is_half_space = hypothesis.bed == Bed::kHalfSpace;
   switch (shared) {
     case kLogRho:  // local light may follow other laws than those of light_spread.h
-      return {std::log(0.97), hypothesis.seen == SeenAt::kSpread ? 0.08 : 0.5};
+      return hypothesis.seen == SeenAt::kSpread ? UnknownPrior{std::log(0.85), 0.06}
+                                                : UnknownPrior{std::log(0.97), 0.5};
     case kLogB:
       return {0.0, 1.5};
     case kLogBAlong:
@@ -167,33 +168,58 @@ void SpreadModel::predict(std::size_t index, Hypothesis hypothesis, const Eigen:
   const bool is_spread = hypothesis.seen == SeenAt::kSpread;
   const RoundContact contact{press.radius_mm, press.curvature_per_mm, layer_mm_,
                              std::exp(std::min(own[2], 2.0))};
-  RadialProfile y = skin_profile(contact, skin_form(hypothesis.bed, shared), press.reach_mm);
+  const RadialProfile depth =
+      skin_profile(contact, skin_form(hypothesis.bed, shared), press.reach_mm);
   const LightSpread spread = spread_by(shared);
   const SpreadSample& nearest = press.nearest_to(own.head<2>());
   const double b = b_at(spread, own[0], is_spread ? nearest.cos_sight : 1.0);
-  double thickness = std::exp(shared[kLogRho]) * layer_mm_;
-  if (hypothesis.seen == SeenAt::kZ) thickness *= nearest.cos_incline;
-  for (int i = 0; i < RadialProfile::kCount; ++i)
-    y[i] /= std::max(kNearPole * thickness, thickness * (1.0 + b) - b * y[i]);
+  const double thickness = std::exp(shared[kLogRho]) * layer_mm_;
+  const auto on_curve = [&](double depth_mm) {
+    return depth_mm / std::max(kNearPole * thickness, thickness * (1.0 + b) - b * depth_mm);
+  };
   const double stretch = 1.0 + layer_mm_ * press.curvature_per_mm;
   const auto distance = [&](const Eigen::Vector2d& at) {
     return std::hypot(stretch * (at.x() - own[0]), at.y() - own[1]);
   };
+  // Depth of the skin where a line that is displaced like this through the layer meets it.
+  const auto depth_met = [&](const Eigen::Vector2d& from, const Eigen::Vector2d& displacement) {
+    const auto depth_at = [&](double part) {
+      return depth.at(distance(from + part * displacement)) / layer_mm_;
+    };
+    // Nearest to the axis the skin above the line is deepest.
+    const double nearest_part =
+        displacement.dot(own.head<2>() - from) / std::max(displacement.squaredNorm(), 1e-12);
+    const double deepest = depth_at(std::clamp(nearest_part, 1.0 - depth[0] / layer_mm_, 1.0));
+    return (1.0 - meeting_part(depth_at, deepest)) * layer_mm_;
+  };
+  const auto local_depth = [&](SeenAt seen, const SpreadSample& sample) {
+    const Eigen::Vector2d& at = sample.position_mm;
+    switch (seen) {
+      case SeenAt::kZ:
+        return depth_met(at, sample.z_mm);
+      case SeenAt::kSight:
+        return depth_met(at, sample.sight_mm);
+      case SeenAt::kOuterZ:
+        return depth.at(distance(at + sample.z_mm));
+      case SeenAt::kOuterSight:
+        return depth.at(distance(at + sample.sight_mm));
+      default:
+        return depth.at(distance(at));
+    }
+  };
   x->resize(static_cast<Eigen::Index>(press.samples.size()));
   Eigen::Index k = 0;
   if (!is_spread) {
-    for (const SpreadSample& sample : press.samples) {
-      Eigen::Vector2d at = sample.position_mm;
-      if (hypothesis.seen == SeenAt::kZ) at += sample.z_mm;
-      if (hypothesis.seen == SeenAt::kSight) at += sample.sight_mm;
-      (*x)[k++] = y.at(distance(at));
-    }
+    for (const SpreadSample& sample : press.samples)
+      (*x)[k++] = on_curve(local_depth(hypothesis.seen, sample));
     return;
   }
-  const RadialProfile skirt = y.over_skirt(skirt_width_mm(spread, layer_mm_));
+  RadialProfile y = depth;
+  for (int i = 0; i < RadialProfile::kCount; ++i) y[i] = on_curve(y[i]);
+  const RadialProfile skirt = y.skirt_lost(skirt_width_mm(spread, layer_mm_));
   for (const SpreadSample& sample : press.samples) {
     const ObliqueSpread oblique = oblique_spread(spread, sample.cos_sight);
-    const double core = y.at(distance(sample.position_mm + oblique.core_shift * sample.sight_mm));
+    const double core = on_curve(depth_met(sample.position_mm, sample.sight_mm));
     const double around =
         skirt.at(distance(sample.position_mm + oblique.skirt_shift * sample.sight_mm));
     (*x)[k++] = oblique.core * core + (1.0 - oblique.core) * around;

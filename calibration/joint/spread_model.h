@@ -21,7 +21,7 @@ struct SpreadSample {
   Eigen::Vector2d position_mm;  // on the face
   Eigen::Vector2d sight_mm;     // SightInLayer::displacement_mm
   Eigen::Vector2d z_mm;         // from the foot of the normal to the outer side along z
-  double cos_sight = 1, cos_incline = 1;
+  double cos_sight = 1;
   double x = 0;   // brightness difference
   double sd = 1;  // its noise, and what the formulas of light_spread.h leave
 };
@@ -44,8 +44,9 @@ struct SpreadPress {
 [[nodiscard]] std::optional<SpreadPress> spread_press(const Press& press, const Face& face,
                                                       const Eigen::Vector3d& centre_mm);
 
-/// Where the light of a pixel comes from.
-enum class SeenAt { kNormal, kZ, kSight, kSpread };
+/// Where the light of a pixel comes from: local light from the skin along the normal, along z or
+/// along the line of sight, or from as deep a skin where these lines meet the untouched outer side.
+enum class SeenAt { kNormal, kZ, kSight, kOuterZ, kOuterSight, kSpread };
 struct Hypothesis {
   SeenAt seen;
   Bed bed;
@@ -78,8 +79,8 @@ struct UnknownPrior {
 };
 [[nodiscard]] UnknownPrior prior_of(int shared, Hypothesis hypothesis);
 
-// b = 0.65 t^1.85 for light at 53 degrees, and about twice or half of that for 70 or 25 degrees.
-constexpr double kBOfT = 0.65, kBPower = 1.85, kLogBSd = 0.5;
+// b = 1.2 t^1.05 for light at 53 degrees, and about twice or half of that for 70 or 25 degrees.
+constexpr double kBOfT = 1.2, kBPower = 1.05, kLogBSd = 0.5;
 
 class SpreadModel {
  public:

@@ -291,6 +291,7 @@ struct Patch {
   int label = 0;
   int pixels = 0;
   double weight = 0;  ///< sum of x
+  cv::Rect box;
 };
 
 std::vector<Patch> patches_of(const cv::Mat& labels, const cv::Mat& x, int count) {
@@ -302,6 +303,7 @@ std::vector<Patch> patches_of(const cv::Mat& labels, const cv::Mat& x, int count
       Patch& patch = patches[static_cast<std::size_t>(label)];
       patch.label = label;
       ++patch.pixels;
+      patch.box |= cv::Rect(u, v, 1, 1);
       patch.weight += static_cast<double>(x.at<float>(v, u));
     }
   }
@@ -309,6 +311,58 @@ std::vector<Patch> patches_of(const cv::Mat& labels, const cv::Mat& x, int count
   std::stable_sort(patches.begin(), patches.end(),
                    [](const Patch& a, const Patch& b) { return a.weight > b.weight; });
   return patches;
+}
+
+/// The dark regions of a face, largest weight first.
+struct DarkRegions {
+  Levels levels;
+  double contrast = 0, level = 0;  ///< everything darker than the level is dark
+  cv::Mat labels;
+  std::vector<Patch> patches;
+};
+
+std::optional<DarkRegions> dark_regions(const cv::Mat& x) {
+  const auto levels = levels_of(x);
+  if (!levels) return std::nullopt;
+  DarkRegions dark{*levels, 0, 0, {}, {}};
+  const double untouched = std::max(0.0, levels->untouched);
+  dark.contrast = levels->darkest - untouched;
+  dark.level = untouched + kDiscLevel * dark.contrast;
+  const cv::Mat is_dark = x > dark.level;
+  const int count = cv::connectedComponents(is_dark, dark.labels, 4, CV_32S);
+  dark.patches = patches_of(dark.labels, x, count);
+  return dark;
+}
+
+/// Columns of the face away from its two ends, whose dark borders change with the smallest motion.
+cv::Range away_from_ends(const cv::Mat& x) {
+  constexpr double kEnd = 0.03;  // of the columns
+  int first = x.cols, last = -1;
+  for (int v = 0; v < x.rows; ++v)
+    for (int u = 0; u < x.cols; ++u)
+      if (std::isfinite(x.at<float>(v, u))) first = std::min(first, u), last = std::max(last, u);
+  const int margin = static_cast<int>(std::lround(kEnd * (last - first)));
+  return last < first ? cv::Range(0, 0) : cv::Range(first + margin, last - margin + 1);
+}
+
+/// The border of an end of the face, and no contact.
+bool is_end_of_face(const Patch& patch, const cv::Range& away_from_ends) {
+  constexpr int kNarrow = 3;  // times higher than wide
+  const bool is_at_end =
+      patch.box.x < away_from_ends.start || patch.box.x + patch.box.width > away_from_ends.end;
+  return is_at_end && patch.box.height > kNarrow * patch.box.width;
+}
+
+/// Makes the dark borders of the face's ends unmeasured; false: there are none.
+bool leave_out_ends(const DarkRegions& dark, cv::Mat* x) {
+  const cv::Range away = away_from_ends(*x);
+  bool found = false;
+  for (const Patch& patch : dark.patches) {
+    if (!is_end_of_face(patch, away)) continue;
+    x->setTo(std::numeric_limits<float>::quiet_NaN(), dark.labels == patch.label);
+    found = true;
+  }
+  return found;
 }
 
 /// Points where the level is crossed between neighbouring pixels on the patch's border, on the
@@ -413,26 +467,24 @@ Inside analyse_inside(const Press& press, const cv::Mat& x, const Circle& circle
 
 Result<BallGuess> find(const Press& press, const Face& face) {
   const double ball_radius_mm = press.ball_radius_mm;
-  const cv::Mat x = smoothed(press.difference.x);
-  const auto levels = levels_of(x);
-  if (!levels)
+  cv::Mat x = smoothed(press.difference.x);
+  auto dark = dark_regions(x);
+  if (dark && leave_out_ends(*dark, &x)) dark = dark_regions(x);
+  if (!dark)
     return refuse(press,
                   en::say("hardly any pixel of the face could be compared with the reference"),
                   en::say("a press and a reference of the same size in which the face is lit"));
-  const double contrast = levels->darkest - std::max(0.0, levels->untouched);
-  if (contrast < std::max(kMinContrast, kContrastSd * levels->spread))
+  if (dark->contrast < std::max(kMinContrast, kContrastSd * dark->levels.spread))
     return refuse(
         press,
         en::say("nothing on the face is clearly darker than in the reference (the "
                 "darkest part differs by {:.1f} %, the rest scatters by {:.1f} %)",
-                100.0 * contrast, 100.0 * levels->spread),
+                100.0 * dark->contrast, 100.0 * dark->levels.spread),
         en::say("pressing the ball in deeper, and checking that the reference shows the same "
                 "finger in the same pose"));
-  const double level = std::max(0.0, levels->untouched) + kDiscLevel * contrast;
-  const cv::Mat dark = x > level;
-  cv::Mat labels;
-  const int count = cv::connectedComponents(dark, labels, 4, CV_32S);
-  const auto patches = patches_of(labels, x, count);
+  const double level = dark->level;
+  const cv::Mat& labels = dark->labels;
+  const std::vector<Patch>& patches = dark->patches;
   if (patches.empty())
     return refuse(press,
                   en::say("only specks are dark, none larger than {} pixels", kMinimumPixels),

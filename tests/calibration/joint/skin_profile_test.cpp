@@ -12,21 +12,28 @@ namespace alltact {
 namespace {
 
 TEST(RadialProfile, TheSkirtOfADiscIsThatOfBesselFunctions) {
-  // q - w^2 laplace q = 1 within a, 0 outside: q = 1 - (a / w) K1(a / w) I0(r / w) within,
-  // (a / w) I1(a / w) K0(r / w) outside.
-  for (const double width : {0.6, 1.5}) {
-    constexpr double kReach = 12.0, kDisc = 3.0;
-    RadialProfile disc(kReach);
-    for (int i = 0; i < RadialProfile::kCount; ++i) disc[i] = disc.radius_mm(i) < kDisc ? 1.0 : 0.0;
-    const RadialProfile skirt = disc.over_skirt(width);
-    const double a = kDisc / width;
-    for (const double r : {0.1, 1.0, 2.0, 2.8, 3.2, 4.0, 6.0, 9.0}) {
-      const double exact = r < kDisc
-                               ? 1.0 - a * std::cyl_bessel_k(1, a) * std::cyl_bessel_i(0, r / width)
-                               : a * std::cyl_bessel_i(1, a) * std::cyl_bessel_k(0, r / width);
-      EXPECT_NEAR(skirt.at(r), exact, 0.006) << width << ' ' << r;
+  // With y within a and nothing outside, (1 + l) q - w^2 laplace q = l within, l = y / (1 - y):
+  // q = y - A I0(k r) within, k^2 = (1 + l) / w^2, and B K0(r / w) outside; both and their slopes
+  // meet at a.
+  constexpr double kReach = 12.0, kDisc = 3.0;
+  for (const double width : {0.6, 1.5})
+    for (const double y : {0.02, 0.3, 0.6}) {
+      RadialProfile disc(kReach);
+      for (int i = 0; i < RadialProfile::kCount; ++i) disc[i] = disc.radius_mm(i) < kDisc ? y : 0.0;
+      const RadialProfile skirt = disc.skirt_lost(width);
+      const double k = std::sqrt(1.0 / (1.0 - y)) / width;
+      const double inside = std::cyl_bessel_i(0, k * kDisc),
+                   inside_slope = k * std::cyl_bessel_i(1, k * kDisc),
+                   outside = std::cyl_bessel_k(0, kDisc / width),
+                   outside_slope = std::cyl_bessel_k(1, kDisc / width) / width;
+      const double a = y * outside_slope / (inside * outside_slope + inside_slope * outside),
+                   b = a * inside_slope / outside_slope;
+      for (const double r : {0.1, 1.0, 2.0, 2.8, 3.2, 4.0, 6.0, 9.0}) {
+        const double exact =
+            r < kDisc ? y - a * std::cyl_bessel_i(0, k * r) : b * std::cyl_bessel_k(0, r / width);
+        EXPECT_NEAR(skirt.at(r), exact, 0.006 * y) << width << ' ' << y << ' ' << r;
+      }
     }
-  }
 }
 
 TEST(SkinProfile, FollowsTheBallAndLeavesItWithoutACorner) {

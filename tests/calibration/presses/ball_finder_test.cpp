@@ -107,6 +107,24 @@ TEST(BallFinder, TwoContactsAreRefused) {
   expect_refusal(made.press, scene, "two contacts");
 }
 
+TEST(BallFinder, TheDarkBorderOfAnEndIsNoContact) {
+  // The face moved by less than a pixel: the border of its end is darker, more so than the ball.
+  std::mt19937 random(14);
+  const MadeScene scene = flat_scene();
+  const std::vector<Ball> one{{210, 150, 4.0, 0.6}};
+  const Made alone = make_press(scene, {}, {}, one, 1.0, random);
+  const auto expected = find_ball(alone.press, scene.face);
+  ASSERT_TRUE(expected.ok());
+  for (const cv::Rect& border : {cv::Rect(0, 40, 8, 200), cv::Rect(392, 60, 8, 220)}) {
+    Press press = alone.press;
+    press.difference.x = alone.press.difference.x.clone();
+    press.difference.x(border) += 0.5F;
+    const auto ball = find_ball(press, scene.face);
+    ASSERT_TRUE(ball.ok()) << ball.error().sentence();
+    EXPECT_LT((ball->centre_mm - expected->centre_mm).norm(), 0.05);
+  }
+}
+
 TEST(BallFinder, LettersAndBarsAreRefused) {
   const MadeScene scene = flat_scene();
   cv::Mat t = noise(scene.camera.size(), 0.01);

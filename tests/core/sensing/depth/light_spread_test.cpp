@@ -1,9 +1,12 @@
 #include "core/sensing/depth/light_spread.h"
 
 #include "tests/support/made_press.h"
+#include "tests/support/walked_layer.h"
 
 #include <cmath>
+#include <functional>
 #include <random>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -53,29 +56,6 @@ MappingParameters spreading(double scattering, double a_mm, double b) {
   return mapping;
 }
 
-/// A indentation with a flat and a round part, by the position on the face, mm.
-double indentation(double s_mm, double w_mm) {
-  const double r = std::hypot(s_mm, w_mm), beside = std::hypot(s_mm - 4.0, w_mm - 1.0);
-  return 0.35 / (1.0 + std::exp((r - 1.5) / 0.3)) + 0.2 * std::exp(-beside * beside / 0.8);
-}
-
-/// The indentation's mean over the skirt, summed over rings around a place.
-double beside(double s_mm, double w_mm, double width_mm) {
-  constexpr int kRings = 60, kSectors = 24;
-  double sum = 0, all = 0;
-  for (int i = 0; i < kRings; ++i) {
-    const double from = 8.0 * width_mm * i / kRings, to = 8.0 * width_mm * (i + 1) / kRings;
-    const double part =
-        i == 0 ? within(to, width_mm) : within(to, width_mm) - within(from, width_mm);
-    for (int k = 0; k < kSectors; ++k) {
-      const double angle = 2.0 * M_PI * (k + 0.5 * (i % 2)) / kSectors, r = 0.5 * (from + to);
-      sum += part / kSectors * indentation(s_mm + r * std::cos(angle), w_mm + r * std::sin(angle));
-    }
-    all += part;
-  }
-  return sum / all;
-}
-
 Difference empty_difference(const cv::Size& size) {
   Difference difference;
   difference.x = cv::Mat(size, CV_32FC1, cv::Scalar(0.0));
@@ -83,30 +63,88 @@ Difference empty_difference(const cv::Size& size) {
   return difference;
 }
 
-TEST(LightSpread, RemovalGivesTheDentOfAnEvenFaceSeenAlongItsNormal) {
+/// What a walked layer shows of a round indentation, on the flat scene.
+Difference walked_difference(const WalkedLayer& layer, const std::function<double(double)>& depth) {
+  constexpr double kStepMm = 0.1;
+  std::vector<double> shown;
+  for (double r = 0; r < 14.0; r += kStepMm)
+    shown.push_back(r > 8.0 ? 0.0 : layer.difference([&](double dx, double dy) {
+      return depth(std::hypot(r + dx, dy));
+    }));
+  Difference difference = empty_difference({400, 300});
+  for (int v = 0; v < 300; ++v)
+    for (int u = 0; u < 400; ++u) {
+      const double place = 0.05 * std::hypot(u - 200, v - 150) / kStepMm;
+      const auto i = static_cast<std::size_t>(place);
+      difference.x.at<float>(v, u) = static_cast<float>(
+          shown[i] + (place - static_cast<double>(i)) * (shown[i + 1] - shown[i]));
+    }
+  return difference;
+}
+
+/// The Moebius curve through what two even layers show.
+MappingParameters curve_of_even_layers(const WalkedLayer& layer) {
+  const auto shown = [&](double depth_mm) {
+    return layer.difference([&](double, double) { return depth_mm; });
+  };
+  const double x1 = shown(0.25), x2 = shown(0.6);  // d (1 + b x) = a x
+  const double b = (0.25 / x1 - 0.6 / x2) / (0.6 - 0.25);
+  return spreading(0, 0.25 * (1.0 + b * x1) / x1, b);
+}
+
+TEST(LightSpread, RemovalGivesTheDepthOfAWalkedLayer) {
   const MadeScene scene = flat_scene();
-  for (const double scattering : {0.3, 0.7, 1.2}) {
-    const MappingParameters mapping = spreading(scattering, 2.0, 0.5);
-    const double core = std::exp(-scattering), width_mm = 1.5 * 0.6 / std::sqrt(scattering);
-    Difference difference = empty_difference({400, 300});
-    cv::Mat truth = difference.x.clone();
-    for (int v = 0; v < 300; ++v)
-      for (int u = 0; u < 400; ++u) {
-        const double s = 0.05 * (u - 200), w = 0.05 * (v - 150);
-        truth.at<float>(v, u) = static_cast<float>(indentation(s, w));
-        if (v % 4 == 0 && u % 4 == 0)
-          difference.x(cv::Rect(u, v, 4, 4)) = (1 - core) * beside(s + 0.075, w + 0.075, width_mm);
+  for (const double optical : {0.8, 1.6}) {
+    const WalkedLayer layer(1.5, optical, 0.6, 12000, 3);
+    MappingParameters mapping = curve_of_even_layers(layer);
+    for (const double flat_mm : {1.0, 2.0}) {
+      const auto depth = [&](double r) { return 0.5 / (1.0 + std::exp((r - flat_mm) / 0.12)); };
+      const auto depth_read = [&](const Difference& difference, double r) {
+        const double x = difference.x.at<float>(150, 200 + static_cast<int>(std::lround(r / 0.05)));
+        return mapping.a_mm * x / (1.0 + mapping.b * x);
+      };
+      const Difference before = walked_difference(layer, depth);
+      Difference after = before;
+      mapping.spread.scattering = 0.66 * optical;  // as the part of the light that scatters once
+      mapping.spread.b_straight = mapping.b;
+      remove_light_spread(mapping, scene.shape, &after);
+      double off_before = 0, off_after = 0;
+      for (double r = 0; r < 5.0; r += 0.1) {
+        off_before += std::abs(depth_read(before, r) - depth(r)) / 50;
+        off_after += std::abs(depth_read(after, r) - depth(r)) / 50;
       }
-    difference.x += core * truth;
-    const cv::Mat before = difference.x.clone();
-    remove_light_spread(mapping, scene.shape, &difference);
-    const double off_before = cv::norm(before, truth, cv::NORM_L2),
-                 off_after = cv::norm(difference.x, truth, cv::NORM_L2);
-    EXPECT_LT(off_after, 0.3 * off_before) << scattering;
-    // In the middle of the indentation, and 0.7 mm beside it.
-    EXPECT_NEAR(difference.x.at<float>(150, 200), indentation(0, 0), 0.02) << scattering;
-    EXPECT_NEAR(difference.x.at<float>(150, 156), indentation(-2.2, 0), 0.012) << scattering;
+      EXPECT_LT(off_after, 0.6 * off_before) << optical << ' ' << flat_mm;
+      EXPECT_NEAR(depth_read(after, flat_mm + 0.8), depth(flat_mm + 0.8), 0.03)
+          << optical << ' ' << flat_mm;
+    }
   }
+}
+
+TEST(LightSpread, EvenLayersShowWhatTheyShowWithoutSpread) {
+  const MadeScene scene = flat_scene();
+  for (const double y : {-0.1, 0.05, 0.3, 0.6}) {
+    const cv::Mat even(300, 400, CV_64FC1, cv::Scalar(y));
+    const cv::Mat shown = with_light_spread(even, spreading(0.7, 2.0, 0.5), scene.shape);
+    EXPECT_LT(cv::norm(shown, even, cv::NORM_INF), 2e-4) << y;
+  }
+}
+
+TEST(LightSpread, SightMeetsTheFirstSkinOnItsWay) {
+  const auto even = [](double) { return 0.4; };
+  EXPECT_NEAR(meeting_part(even, 0.4), 0.6, 1e-12);
+  EXPECT_NEAR(meeting_part([](double) { return 0.0; }, 0.4), 1.0, 1e-12);
+  EXPECT_NEAR(meeting_part([](double) { return -0.05; }, 0.0), 1.05, 1e-12);
+  // part = 1 - (0.7 - 0.5 part) where part = 0.6.
+  EXPECT_NEAR(meeting_part([](double part) { return 0.7 - 0.5 * part; }, 0.7), 0.6, 1e-9);
+  // A pit that the line passes under before it meets another.
+  const auto two = [](double part) {
+    return 0.3 * std::exp(-std::pow((part - 0.5) / 0.05, 2)) +
+           0.5 * std::exp(-std::pow((part - 0.8) / 0.05, 2));
+  };
+  double first = 0;  // by small steps
+  for (double part = 0.3; part < 1.2 && first == 0; part += 1e-5)
+    if (part >= 1.0 - two(part)) first = part;
+  EXPECT_NEAR(meeting_part(two, 0.5), first, 0.02);
 }
 
 TEST(LightSpread, RemovalGivesBackWhatWasSpreadOnAnInclinedFace) {
