@@ -118,8 +118,8 @@ Evidence evidence_of(const SpreadModel& model, const FittedHypothesis& spread, c
 }
 
 bool is_seen(const Evidence& evidence) {
-  constexpr double kSignificant = 3.0;  // 20 to 1
-  constexpr double kMostPresses = 0.6;
+  constexpr double kSignificant = 2.5;  // 12 to 1
+  constexpr double kMostPresses = 0.5;
   return std::isfinite(evidence.log_ratio) && evidence.log_ratio > kSignificant &&
          evidence.presses >= kMostPresses;
 }

@@ -17,7 +17,7 @@
 // All of it follows from one number, t = LightSpread::scattering. The formulas below were fitted to
 // paths of light walked through layers of five thicknesses with isotropic scattering over a black
 // outside, for five angles of sight and two of light, pressed by balls, cylinders and plates; they
-// leave 0.002 to 0.006 of the untouched brightness (van de Hulst's similarity relates other phase
+// leave 0.002 to 0.009 of the untouched brightness (van de Hulst's similarity relates other phase
 // functions to these). With m = 1 / cos(angle of sight in the layer) - 1,
 //   core = exp(-t (1 + 0.47 m))     width = 0.63 / t^0.55 layers     s = 0.46 - 0.1 t
 //
