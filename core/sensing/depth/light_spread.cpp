@@ -1,5 +1,6 @@
 #include "core/sensing/depth/light_spread.h"
 
+#include "core/numerics/image_noise.h"
 #include "core/sensing/depth/unrolled_face.h"
 
 #include <algorithm>
@@ -78,16 +79,10 @@ constexpr int kRoundsFromNothing = 40;
 
 /// Bilinear; the nearest cell beyond the border.
 double looked_up(const cv::Mat& cells, double column, double row) {
-  const double i = std::clamp(column, 0.0, cells.cols - 1.0),
-               j = std::clamp(row, 0.0, cells.rows - 1.0);
-  const int left = std::min(static_cast<int>(i), cells.cols - 2),
-            upper = std::min(static_cast<int>(j), cells.rows - 2);
-  const float* above = cells.ptr<float>(upper) + left;
-  const float* below = cells.ptr<float>(upper + 1) + left;
-  const double di = i - left, dj = j - upper;
-  const double a = static_cast<double>(above[0]), b = static_cast<double>(above[1]),
-               c = static_cast<double>(below[0]), d = static_cast<double>(below[1]);
-  return (1.0 - dj) * (a + di * (b - a)) + dj * (c + di * (d - c));
+  const auto within = [](double at, int count) {
+    return std::clamp(at, 0.0, std::nextafter(count - 1.0, 0.0));
+  };
+  return bilinear(cells, {within(column, cells.cols), within(row, cells.rows)});
 }
 
 /// The skirt's light on a face: q, on a grid of half as many rows and columns.
@@ -160,7 +155,7 @@ class SpreadOnFace {
     cv::Mat y, seen_x;
   };
   [[nodiscard]] Undone undo(const cv::Mat& x) {
-    Undone undone{x.clone(), x.clone()};
+    Undone undone{x.clone(), cv::Mat(x.size(), CV_32FC1)};
     cv::Mat next(x.size(), CV_32FC1);
     skirt_.approach(x, 3);
     for (int round = 0; round < kRounds; ++round) {

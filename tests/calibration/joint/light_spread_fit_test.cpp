@@ -39,9 +39,9 @@ Press press_of(const std::vector<double>& shown, const RoundPress& at, std::mt19
   cv::Mat x(300, 400, CV_32FC1), grain(300, 400, CV_32FC1);
   for (int v = 0; v < 300; ++v)
     for (int u = 0; u < 400; ++u) {
-      const double place = 0.05 * std::hypot(u - at.u, v - at.v) / kStepMm;
-      const auto i = std::min(static_cast<std::size_t>(place), shown.size() - 2);
-      const double part = std::min(1.0, place - static_cast<double>(i));
+      const double index = 0.05 * std::hypot(u - at.u, v - at.v) / kStepMm;
+      const auto i = std::min(static_cast<std::size_t>(index), shown.size() - 2);
+      const double part = std::min(1.0, index - static_cast<double>(i));
       x.at<float>(v, u) = static_cast<float>(shown[i] + part * (shown[i + 1] - shown[i]));
       grain.at<float>(v, u) = normal(random);
     }
@@ -77,8 +77,8 @@ PunchReading read_punch(const Press& punch, const MappingParameters& parameters)
 }
 
 TEST(LightSpreadFit, BallsOnAWalkedLayerMakeAPunchReadRight) {
-  // With 0.9 and less, or fewer presses, the fit is as near, but not told from unusual skin:
-  // without oblique sight only the form of the profiles tells.
+  // With 0.9 and less, or fewer presses, the fit is as near, but unusual skin explains as much:
+  // without oblique sight only the form of the profiles differs.
   for (const double optical : {1.6}) {
     std::mt19937 random(17);
     const WalkedLayer layer(1.5, optical, 0.6, 12000, 5);

@@ -74,10 +74,10 @@ Difference walked_difference(const WalkedLayer& layer, const std::function<doubl
   Difference difference = empty_difference({400, 300});
   for (int v = 0; v < 300; ++v)
     for (int u = 0; u < 400; ++u) {
-      const double place = 0.05 * std::hypot(u - 200, v - 150) / kStepMm;
-      const auto i = static_cast<std::size_t>(place);
+      const double index = 0.05 * std::hypot(u - 200, v - 150) / kStepMm;
+      const auto i = static_cast<std::size_t>(index);
       difference.x.at<float>(v, u) = static_cast<float>(
-          shown[i] + (place - static_cast<double>(i)) * (shown[i + 1] - shown[i]));
+          shown[i] + (index - static_cast<double>(i)) * (shown[i + 1] - shown[i]));
     }
   return difference;
 }
