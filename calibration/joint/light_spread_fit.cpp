@@ -71,16 +71,14 @@ double log_determinant(const Eigen::MatrixXd& matrix) {
 
 /// log of the part of what the priors allow that the data leave (Laplace's approximation of the
 /// evidence; D. MacKay, Information Theory, Inference and Learning Algorithms, 28.2).
-double log_volume_left(const Normal& normal) {
-  const Eigen::Index s = normal.prior_hessian.rows();
-  Eigen::MatrixXd hessian = normal.hessian;
-  hessian.topLeftCorner(s, s) -= normal.prior_hessian;
-  hessian /= normal.scale();
-  hessian.topLeftCorner(s, s) += normal.prior_hessian;
+double log_volume_left(const Normal& normal, Eigen::Index shared) {
+  Eigen::MatrixXd prior = normal.prior_hessian;
   // Positions within a millimetre, depths within a factor of e: a ball that its press does not
   // determine is no evidence.
-  hessian.diagonal().tail(hessian.rows() - s).array() += 1.0;
-  return 0.5 * (log_determinant(normal.prior_hessian) - log_determinant(hessian));
+  for (Eigen::Index own = shared; own < prior.rows(); own += kOwn)
+    prior.diagonal().segment<3>(own).array() += 1.0;
+  const Eigen::MatrixXd data = (normal.hessian - normal.prior_hessian) / normal.scale();
+  return 0.5 * (log_determinant(prior) - log_determinant(data + prior));
 }
 
 /// How much more probable spread light is than a local one.
@@ -91,8 +89,9 @@ struct Evidence {
 
 Evidence evidence_against(const SpreadModel& model, const Normal& local, const Normal& spread) {
   const double presses = static_cast<double>(model.presses().size());
-  Evidence evidence{0.5 * (local.prior_cost - spread.prior_cost) + log_volume_left(spread) -
-                        log_volume_left(local),
+  Evidence evidence{0.5 * (local.prior_cost - spread.prior_cost) +
+                        log_volume_left(spread, kSharedCount) -
+                        log_volume_left(local, kLogScattering),
                     0};
   for (std::size_t p = 0; p < model.presses().size(); ++p) {
     const double gained = model.presses()[p].observations * (log_likelihood(spread.mean_square[p]) -

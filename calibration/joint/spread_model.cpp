@@ -74,6 +74,7 @@ const SpreadSample& SpreadPress::nearest_to(const Eigen::Vector2d& position_mm) 
 std::optional<SpreadPress> spread_press(const Press& press, const Face& face,
                                         const Eigen::Vector3d& centre_mm) {
   constexpr std::size_t kLeastSamples = 50;
+  constexpr double kLightSd = 0.01;
   const auto contact = ball_on_face(press.shape, face, centre_mm, press.ball_radius_mm);
   if (!contact || !(contact->depth_mm > 0)) return std::nullopt;
   const Eigen::Vector3d view_point = contact->middle_mm - face.layer_mm * contact->normal;
@@ -84,7 +85,10 @@ std::optional<SpreadPress> spread_press(const Press& press, const Face& face,
   made.radius_mm = press.ball_radius_mm;
   made.curvature_per_mm = curvature_at(press.shape, *pixel);
   made.given_depth = press.given_depth;
-  made.start << *position, std::log(std::clamp(contact->depth_mm, 0.05, 0.9 * face.layer_mm));
+  // Where a finger's bend moves its tip relative to the lamps, a change of the light is not as
+  // smooth as light_gain.h assumes.
+  if (face.kind == FaceKind::kFinRay) made.light_sd = kLightSd;
+  made.start << *position, std::log(std::clamp(contact->depth_mm, 0.05, 0.9 * face.layer_mm)), 0.0;
   const double reach = std::min(kMaxReachMm, contact->radius_mm + kReachLayers * face.layer_mm);
   const PressSamples around = sample_around(press, face, contact->middle_mm, reach, kSamplesAround);
   double area_mm2 = 0;
@@ -162,7 +166,7 @@ FitState SpreadModel::start() const {
 }
 
 void SpreadModel::predict(std::size_t index, Hypothesis hypothesis, const Eigen::VectorXd& shared,
-                          const Eigen::Vector3d& own, Eigen::VectorXd* x) const {
+                          const OwnUnknowns& own, Eigen::VectorXd* x) const {
   constexpr double kNearPole = 0.1;
   const SpreadPress& press = presses_[index];
   const bool is_spread = hypothesis.seen == SeenAt::kSpread;
@@ -207,11 +211,13 @@ void SpreadModel::predict(std::size_t index, Hypothesis hypothesis, const Eigen:
         return depth.at(distance(at));
     }
   };
+  const double light = press.light_sd * own[3];
+  const auto under_light = [&](double x_alone) { return x_alone + light * (1.0 - x_alone); };
   x->resize(static_cast<Eigen::Index>(press.samples.size()));
   Eigen::Index k = 0;
   if (!is_spread) {
     for (const SpreadSample& sample : press.samples)
-      (*x)[k++] = on_curve(local_depth(hypothesis.seen, sample));
+      (*x)[k++] = under_light(on_curve(local_depth(hypothesis.seen, sample)));
     return;
   }
   RadialProfile y = depth;
@@ -222,7 +228,7 @@ void SpreadModel::predict(std::size_t index, Hypothesis hypothesis, const Eigen:
     const double core = on_curve(depth_met(sample.position_mm, sample.sight_mm));
     const double around =
         skirt.at(distance(sample.position_mm + oblique.skirt_shift * sample.sight_mm));
-    (*x)[k++] = oblique.core * core + (1.0 - oblique.core) * around;
+    (*x)[k++] = under_light(oblique.core * core + (1.0 - oblique.core) * around);
   }
 }
 

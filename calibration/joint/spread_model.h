@@ -26,6 +26,11 @@ struct SpreadSample {
   double sd = 1;  // its noise, and what the formulas of light_spread.h leave
 };
 
+/// Unknowns of one press: along, across, log of the depth along the normal, and the error of the
+/// light that its reference assumes, over SpreadPress::light_sd.
+constexpr int kOwn = 4;
+using OwnUnknowns = Eigen::Matrix<double, kOwn, 1>;
+
 /// A press and the face around it.
 struct SpreadPress {
   std::vector<SpreadSample> samples;
@@ -34,8 +39,9 @@ struct SpreadPress {
   double reach_mm = 0;          // of radial profiles
   /// Samples that count as independent: what the formulas leave varies over the layer's thickness.
   double observations = 1;
+  double light_sd = 0;  // of brightness: error of the light that the reference assumes
   std::optional<GivenDepth> given_depth;
-  Eigen::Vector3d start;  // along, across, log of the depth along the normal
+  OwnUnknowns start;
 
   [[nodiscard]] const SpreadSample& nearest_to(const Eigen::Vector2d& position_mm) const;
 };
@@ -66,12 +72,9 @@ enum Shared {
   kLogWidth,
   kSharedCount
 };
-/// Of a press: along, across, log of the depth.
-constexpr int kOwn = 3;
-
 struct FitState {
   Eigen::VectorXd shared = Eigen::VectorXd::Zero(kSharedCount);
-  std::vector<Eigen::Vector3d> own;  // by press
+  std::vector<OwnUnknowns> own;  // by press
 };
 
 struct UnknownPrior {
@@ -98,7 +101,7 @@ class SpreadModel {
 
   /// Brightness differences that the press at `index` should show.
   void predict(std::size_t index, Hypothesis hypothesis, const Eigen::VectorXd& shared,
-               const Eigen::Vector3d& own, Eigen::VectorXd* x) const;
+               const OwnUnknowns& own, Eigen::VectorXd* x) const;
 
  private:
   std::vector<SpreadPress> presses_;

@@ -41,6 +41,7 @@ Normal SpreadSolver::evaluate(const FitState& state) const {
   const std::size_t presses = model_.presses().size();
   Normal normal;
   normal.hessian = Eigen::MatrixXd::Zero(own_at(presses), own_at(presses));
+  normal.prior_hessian = normal.hessian;
   normal.gradient = Eigen::VectorXd::Zero(own_at(presses));
   for (std::size_t p = 0; p < presses; ++p) {
     if (static_cast<int>(p) == skip_) {
@@ -49,6 +50,7 @@ Normal SpreadSolver::evaluate(const FitState& state) const {
       continue;
     }
     add_press(state, p, &normal);
+    add_light_prior(state, p, &normal);
     if (model_.presses()[p].given_depth) add_given_depth(state, p, &normal);
   }
   add_priors(state.shared, &normal);
@@ -75,7 +77,7 @@ void SpreadSolver::add_press(const FitState& state, std::size_t p, Normal* norma
   Eigen::MatrixXd rows(count, shared_ + kOwn);
   for (int c = 0; c < shared_ + kOwn; ++c) {
     Eigen::VectorXd shared = state.shared;
-    Eigen::Vector3d own = state.own[p];
+    OwnUnknowns own = state.own[p];
     (c < shared_ ? shared[c] : own[c - shared_]) += kStep;
     model_.predict(p, hypothesis_, shared, own, &moved);
     for (Eigen::Index k = 0; k < count; ++k)
@@ -103,6 +105,16 @@ void SpreadSolver::add_given_depth(const FitState& state, std::size_t p, Normal*
   normal->gradient[i] += robust_weight(z) * row * z;
 }
 
+void SpreadSolver::add_light_prior(const FitState& state, std::size_t p, Normal* normal) const {
+  const double z = state.own[p][3];
+  const Eigen::Index i = own_at(p) + 3;
+  normal->cost += z * z;
+  normal->prior_cost += z * z;
+  normal->hessian(i, i) += 1.0;
+  normal->prior_hessian(i, i) += 1.0;
+  normal->gradient[i] += z;
+}
+
 void SpreadSolver::add_priors(const Eigen::VectorXd& shared, Normal* normal) const {
   Eigen::MatrixXd hessian = Eigen::MatrixXd::Zero(shared_, shared_);
   const auto add = [&](double z, const Eigen::VectorXd& by) {
@@ -121,7 +133,7 @@ void SpreadSolver::add_priors(const Eigen::VectorXd& shared, Normal* normal) con
   }
   normal->cost += normal->prior_cost;
   normal->hessian.topLeftCorner(shared_, shared_) += hessian;
-  normal->prior_hessian = std::move(hessian);
+  normal->prior_hessian.topLeftCorner(shared_, shared_) += hessian;
 }
 
 FitState SpreadSolver::moved(const FitState& state, const Eigen::VectorXd& by) const {

@@ -18,7 +18,7 @@ struct Normal {
   Eigen::VectorXd gradient;
   double cost = 0;
   double prior_cost = 0;            ///< contained in it
-  Eigen::MatrixXd prior_hessian;    ///< of Shared; contained in the hessian
+  Eigen::MatrixXd prior_hessian;    ///< contained in the hessian
   std::vector<double> mean_square;  ///< robust, of the weighted residuals, by press
 
   /// Mean square of the residuals of all presses that count.
@@ -43,6 +43,7 @@ class SpreadSolver {
   }
   void add_press(const FitState& state, std::size_t press, Normal* normal) const;
   void add_given_depth(const FitState& state, std::size_t press, Normal* normal) const;
+  void add_light_prior(const FitState& state, std::size_t press, Normal* normal) const;
   void add_priors(const Eigen::VectorXd& shared, Normal* normal) const;
   [[nodiscard]] FitState moved(const FitState& state, const Eigen::VectorXd& by) const;
 

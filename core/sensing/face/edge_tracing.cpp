@@ -633,26 +633,40 @@ class Profile {
   std::array<float, 2 * kReach + 1> values_;
 };
 
-/// Row before the step that is the face's edge: the innermost of all steps of the right sign that
-/// are steep enough. The outer border of a narrow side face and the dots on it are as steep, but
-/// further out. Dots may even be steeper than the expected edge.
+/// Row before the step that is the face's edge, and how much steeper it is there than around: the
+/// innermost of all steps of the right sign that are steep enough. The outer border of a narrow
+/// side face and the dots on it are as steep, but further out. Dots may even be steeper than the
+/// expected edge. A face that darkens towards its edge rises over many rows behind the step,
+/// nowhere steeper than around.
 std::optional<std::pair<int, float>> innermost_step(Profile& profile, float sign, bool face_below,
                                                     int reach, float expected_rise) {
-  constexpr float kMinSteepness = 0.4F;  // fraction of the steepest
+  constexpr float kMinSteepness = 0.4F;           // fraction of the steepest
+  constexpr int kAroundNear = 4, kAroundFar = 7;  // rows on each side that count as around
   const int first = kReach - reach, last = kReach + reach - 1;
-  profile.ensure_rows(first - 2, last + 3);
+  profile.ensure_rows(first - 2 - kAroundFar, last + 3 + kAroundFar);
   const auto rise = [&](int i) {
     const auto k = static_cast<std::size_t>(i);
     return sign * (profile[k + 2] + profile[k + 1] - profile[k] - profile[k - 1]);
   };
-  float max_rise = 0;
-  for (int i = first; i <= last; ++i) max_rise = std::max(max_rise, rise(i));
-  if (!(max_rise > 0)) return std::nullopt;
-  max_rise = std::min(max_rise, expected_rise);
+  const auto mean_rise = [&](int from) {
+    float sum = 0;
+    for (int i = from; i <= from + kAroundFar - kAroundNear; ++i) sum += rise(i);
+    return std::max(sum, 0.0F) / (kAroundFar - kAroundNear + 1);
+  };
+  std::array<float, 2 * kReach + 1> steepness;
+  for (int i = first - 1; i <= last + 1; ++i)
+    steepness[static_cast<std::size_t>(i)] =
+        rise(i) - 0.5F * (mean_rise(i - kAroundFar) + mean_rise(i + kAroundNear));
+  const auto steep = [&](int i) { return steepness[static_cast<std::size_t>(i)]; };
+  float steepest = 0;
+  for (int i = first; i <= last; ++i) steepest = std::max(steepest, steep(i));
+  if (!(steepest > 0)) return std::nullopt;
+  steepest = std::min(steepest, expected_rise);
   for (int n = 0; n <= last - first; ++n) {
     const int i = face_below ? last - n : first + n;
-    if (rise(i) >= kMinSteepness * max_rise && rise(i) >= rise(i - 1) && rise(i) >= rise(i + 1))
-      return std::pair(i, rise(i));
+    if (steep(i) >= kMinSteepness * steepest && steep(i) >= steep(i - 1) &&
+        steep(i) >= steep(i + 1))
+      return std::pair(i, steep(i));
   }
   return std::nullopt;
 }

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <random>
 
 #include <fmt/format.h>
@@ -32,14 +33,21 @@ struct RoundPress {
   double u, v, radius_mm, depth_mm;
 };
 
-Press press_of(const std::vector<double>& shown, const RoundPress& at, std::mt19937& random,
-               const std::string& name) {
-  const MadeScene scene = flat_scene();
+/// Presses that are seen straight: middles of 150 to 250 columns and 110 to 190 rows, of 0.05 mm
+/// or so.
+Press press_of(const MadeScene& scene, const std::vector<double>& shown, const RoundPress& at,
+               std::mt19937& random, const std::string& name) {
+  const cv::Size size = scene.camera.size();
+  const Eigen::Vector2d move(0.5 * size.width - 200.0, 0.5 * size.height - 150.0);
+  const Eigen::Vector2d middle = move + Eigen::Vector2d(at.u, at.v);
+  const Eigen::Vector3d here_mm = scene.shape.at(middle.x(), middle.y()).value().view_point_mm;
   std::normal_distribution<float> normal;
-  cv::Mat x(300, 400, CV_32FC1), grain(300, 400, CV_32FC1);
-  for (int v = 0; v < 300; ++v)
-    for (int u = 0; u < 400; ++u) {
-      const double index = 0.05 * std::hypot(u - at.u, v - at.v) / kStepMm;
+  cv::Mat x(size, CV_32FC1), grain(size, CV_32FC1);
+  for (int v = 0; v < size.height; ++v)
+    for (int u = 0; u < size.width; ++u) {
+      const auto local = scene.shape.at(u, v);
+      const double r_mm = local ? (local->view_point_mm - here_mm).norm() : 100.0;
+      const double index = r_mm / kStepMm;
       const auto i = std::min(static_cast<std::size_t>(index), shown.size() - 2);
       const double part = std::min(1.0, index - static_cast<double>(i));
       x.at<float>(v, u) = static_cast<float>(shown[i] + part * (shown[i + 1] - shown[i]));
@@ -53,12 +61,13 @@ const std::vector<RoundPress> kPresses{
     {200, 150, 2.0, 0.5}, {160, 160, 2.0, 0.7}, {170, 170, 6.0, 0.5},  {230, 140, 3.0, 0.8},
     {210, 165, 6.0, 0.8}, {190, 140, 1.5, 0.4}, {220, 150, 2.0, 0.85}, {205, 155, 6.0, 0.95}};
 
-std::vector<Press> ball_presses(const WalkedLayer& layer, const Contact& contact,
-                                std::mt19937& random) {
+std::vector<Press> ball_presses(const MadeScene& scene, const WalkedLayer& layer,
+                                const Contact& contact, std::mt19937& random) {
   std::vector<Press> presses;
   for (const RoundPress& at : kPresses) {
     const Relief relief(contact, at.radius_mm, at.depth_mm);
-    presses.push_back(press_of(shown(
+    presses.push_back(press_of(scene,
+                               shown(
                                    layer, [&](double r) { return relief(r); }, 7.0),
                                at, random, fmt::format("p{}", presses.size())));
   }
@@ -82,11 +91,12 @@ TEST(LightSpreadFit, BallsOnAWalkedLayerMakeAPunchReadRight) {
   for (const double optical : {1.6}) {
     std::mt19937 random(17);
     const WalkedLayer layer(1.5, optical, 0.6, 12000, 5);
-    const std::vector<Press> presses = ball_presses(layer, {Skin::kSmooth, 0.1, 0}, random);
     const MadeScene scene = flat_scene();
+    const std::vector<Press> presses = ball_presses(scene, layer, {Skin::kSmooth, 0.1, 0}, random);
     // A punch of 2 mm radius, 0.5 mm deep, with walls of a tenth of a millimetre.
     const Relief1d flat = [](double r) { return 0.5 / (1.0 + std::exp((r - 2.0) / 0.03)); };
-    const Press punch = press_of(shown(layer, flat, 7.0), {200, 150, 4.0, 0.5}, random, "punch");
+    const Press punch =
+        press_of(scene, shown(layer, flat, 7.0), {200, 150, 4.0, 0.5}, random, "punch");
 
     const auto spread = calibrate(presses, scene.camera, scene.face, {}, Job{});
     ASSERT_TRUE(spread.ok()) << spread.error().sentence();
@@ -107,6 +117,31 @@ TEST(LightSpreadFit, BallsOnAWalkedLayerMakeAPunchReadRight) {
   }
 }
 
+/// Of balls that are found by their brightness.
+std::optional<LightSpreadFit> fit_to(const std::vector<Press>& presses, const MadeScene& scene) {
+  std::vector<BallStart> balls;
+  for (const Press& press : presses)
+    balls.push_back({&press, find_ball(press, scene.face).value().centre_mm});
+  return fit_light_spread(balls, scene.face, Job{});
+}
+
+// A lamp that moves relative to the face changes all that is seen around one ball.
+TEST(LightSpreadFit, APressUnderOtherLightMovesNoBall) {
+  std::mt19937 random(19);
+  const MadeScene scene = finger_scene(30.0, 0.0);
+  const WalkedLayer layer(1.5, 2.2, 0.6, 12000, 5);
+  std::vector<Press> presses = ball_presses(scene, layer, {Skin::kSmooth, 0.1, 0}, random);
+  const auto before = fit_to(presses, scene);
+  constexpr double kBrighter = 0.03;
+  cv::Mat x = presses[3].difference.x;
+  x -= kBrighter * (1.0 - x);
+  const auto after = fit_to(presses, scene);
+  ASSERT_TRUE(before && after);
+  ASSERT_TRUE(before->is_seen && after->is_seen);
+  for (std::size_t i = 0; i < presses.size(); ++i)
+    EXPECT_LT((after->centres_mm[i] - before->centres_mm[i]).norm(), 0.02) << "press " << i;
+}
+
 TEST(LightSpreadFit, LocalLightIsNotTakenForSpreadWhateverTheSkinDoes) {
   std::mt19937 random(23);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
@@ -116,15 +151,12 @@ TEST(LightSpreadFit, LocalLightIsNotTakenForSpreadWhateverTheSkinDoes) {
                                  Contact{Skin::kHertz, 0, 0}}) {
     const Layer layer{0.3 + 1.2 * uniform(random), 0.05 * uniform(random)};
     std::vector<Press> presses;
-    std::vector<BallStart> balls;
     const MadeScene scene = flat_scene();
     for (const RoundPress& at : kPresses)
       presses.push_back(make_press(scene, layer, contact, {{at.u, at.v, at.radius_mm, at.depth_mm}},
                                    1.0, random, fmt::format("p{}", presses.size()))
                             .press);
-    for (const Press& press : presses)
-      balls.push_back({&press, find_ball(press, scene.face).value().centre_mm});
-    const auto fit = fit_light_spread(balls, scene.face, Job{});
+    const auto fit = fit_to(presses, scene);
     ASSERT_TRUE(fit.has_value());
     EXPECT_FALSE(fit->is_seen) << "skin " << static_cast<int>(contact.skin) << ' ' << contact.size
                                << ' ' << contact.bulge_mm << ": " << fit->log_evidence;

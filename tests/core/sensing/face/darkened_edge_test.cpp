@@ -2,6 +2,7 @@
 // blurred, averaged and with noise.
 #include "core/sensing/face/darkened_edge.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <random>
@@ -89,6 +90,28 @@ TEST(DarkenedEdge, IsFoundWhereItWasDrawn) {
   std::printf(
       "[ figures  ] faces that darken towards their edges: bias of the edges at most %.3f px\n",
       worst_px);
+}
+
+// Over twelve rows behind such a step the face gains more than in the step.
+TEST(DarkenedEdge, ASmallStepBeforeALongRiseIsTheEdge) {
+  std::mt19937 random(43);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  double worst_px = 0;
+  for (int run = 0; run < 12; ++run) {
+    const DrawnFace face{0.15 + 0.15 * uniform(random), 12.0 + 18.0 * uniform(random),
+                         0.5 + 0.5 * uniform(random), 0.5 + 0.7 * uniform(random)};
+    const auto edges = FaceEdgeFinder()(draw(face, random));
+    ASSERT_TRUE(edges.ok()) << edges.error().sentence();
+    for (const Edge* edge : {&edges->upper, &edges->lower})
+      EXPECT_GT(std::count(edge->valid.begin(), edge->valid.end(), 1),
+                0.9 * static_cast<double>(edges->u.size()))
+          << "step " << face.step << " length " << face.length_px << " blur " << face.blur_px;
+    const EdgeErrors errors = errors_of(*edges);
+    EXPECT_LT(errors.worst_px, 0.5);
+    worst_px = std::max(worst_px, std::abs(errors.bias_px));
+  }
+  std::printf("[ figures  ] small steps before long rises: bias of the edges at most %.3f px\n",
+              worst_px);
 }
 
 TEST(DarkenedEdge, AnEvenFaceIsLeftAlone) {
