@@ -64,4 +64,29 @@ class WalkedLayer {
   double untouched_ = 1;
 };
 
+/// What a walked layer shows of a round indentation.
+class ShownRound {
+ public:
+  /// `depth_mm`: by the distance from the axis. Nothing is shown beyond `reach_mm`.
+  template <class Depth>
+  ShownRound(const WalkedLayer& layer, const Depth& depth_mm, double reach_mm) {
+    for (double r = 0; r < reach_mm; r += kStepMm)
+      x_.push_back(
+          layer.difference([&](double dx, double dy) { return depth_mm(std::hypot(r + dx, dy)); }));
+    x_.push_back(0.0);
+  }
+
+  /// Brightness difference at a distance from the axis.
+  [[nodiscard]] double at(double r_mm) const {
+    const double index = r_mm / kStepMm;
+    if (!(index < static_cast<double>(x_.size() - 1))) return 0.0;
+    const auto i = static_cast<std::size_t>(index);
+    return x_[i] + (index - static_cast<double>(i)) * (x_[i + 1] - x_[i]);
+  }
+
+ private:
+  static constexpr double kStepMm = 0.1;
+  std::vector<double> x_;
+};
+
 }  // namespace alltact::made

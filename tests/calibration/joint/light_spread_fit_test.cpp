@@ -5,7 +5,6 @@
 #include "tests/support/walked_layer.h"
 
 #include <cmath>
-#include <functional>
 #include <optional>
 #include <random>
 
@@ -17,17 +16,7 @@ namespace {
 
 using namespace made;
 
-constexpr double kStepMm = 0.1;
-using Relief1d = std::function<double(double r_mm)>;
-
-/// What the walked layer shows of a round indentation, by the distance from its axis.
-std::vector<double> shown(const WalkedLayer& layer, const Relief1d& relief, double reach_mm) {
-  std::vector<double> x;
-  for (double r = 0; r < reach_mm; r += kStepMm)
-    x.push_back(
-        layer.difference([&](double dx, double dy) { return relief(std::hypot(r + dx, dy)); }));
-  return x;
-}
+constexpr double kReachMm = 7.0;
 
 struct RoundPress {
   double u, v, radius_mm, depth_mm;
@@ -35,7 +24,7 @@ struct RoundPress {
 
 /// Presses that are seen straight: middles of 150 to 250 columns and 110 to 190 rows, of 0.05 mm
 /// or so.
-Press press_of(const MadeScene& scene, const std::vector<double>& shown, const RoundPress& at,
+Press press_of(const MadeScene& scene, const ShownRound& shown, const RoundPress& at,
                std::mt19937& random, const std::string& name) {
   const cv::Size size = scene.camera.size();
   const Eigen::Vector2d move(0.5 * size.width - 200.0, 0.5 * size.height - 150.0);
@@ -46,11 +35,8 @@ Press press_of(const MadeScene& scene, const std::vector<double>& shown, const R
   for (int v = 0; v < size.height; ++v)
     for (int u = 0; u < size.width; ++u) {
       const auto local = scene.shape.at(u, v);
-      const double r_mm = local ? (local->view_point_mm - here_mm).norm() : 100.0;
-      const double index = r_mm / kStepMm;
-      const auto i = std::min(static_cast<std::size_t>(index), shown.size() - 2);
-      const double part = std::min(1.0, index - static_cast<double>(i));
-      x.at<float>(v, u) = static_cast<float>(shown[i] + part * (shown[i + 1] - shown[i]));
+      x.at<float>(v, u) =
+          local ? static_cast<float>(shown.at((local->view_point_mm - here_mm).norm())) : 0.0F;
       grain.at<float>(v, u) = normal(random);
     }
   return {name, noisy_difference(x, grain, 1.0), scene.shape, at.radius_mm};
@@ -66,10 +52,9 @@ std::vector<Press> ball_presses(const MadeScene& scene, const WalkedLayer& layer
   std::vector<Press> presses;
   for (const RoundPress& at : kPresses) {
     const Relief relief(contact, at.radius_mm, at.depth_mm);
-    presses.push_back(press_of(scene,
-                               shown(
-                                   layer, [&](double r) { return relief(r); }, 7.0),
-                               at, random, fmt::format("p{}", presses.size())));
+    const ShownRound shown(
+        layer, [&](double r) { return relief(r); }, kReachMm);
+    presses.push_back(press_of(scene, shown, at, random, fmt::format("p{}", presses.size())));
   }
   return presses;
 }
@@ -94,9 +79,9 @@ TEST(LightSpreadFit, BallsOnAWalkedLayerMakeAPunchReadRight) {
     const MadeScene scene = flat_scene();
     const std::vector<Press> presses = ball_presses(scene, layer, {Skin::kSmooth, 0.1, 0}, random);
     // A punch of 2 mm radius, 0.5 mm deep, with walls of a tenth of a millimetre.
-    const Relief1d flat = [](double r) { return 0.5 / (1.0 + std::exp((r - 2.0) / 0.03)); };
+    const auto flat = [](double r) { return 0.5 / (1.0 + std::exp((r - 2.0) / 0.03)); };
     const Press punch =
-        press_of(scene, shown(layer, flat, 7.0), {200, 150, 4.0, 0.5}, random, "punch");
+        press_of(scene, ShownRound(layer, flat, kReachMm), {200, 150, 4.0, 0.5}, random, "punch");
 
     const auto spread = calibrate(presses, scene.camera, scene.face, {}, Job{});
     ASSERT_TRUE(spread.ok()) << spread.error().sentence();

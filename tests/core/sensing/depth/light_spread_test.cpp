@@ -65,20 +65,12 @@ Difference empty_difference(const cv::Size& size) {
 
 /// What a walked layer shows of a round indentation, on the flat scene.
 Difference walked_difference(const WalkedLayer& layer, const std::function<double(double)>& depth) {
-  constexpr double kStepMm = 0.1;
-  std::vector<double> shown;
-  for (double r = 0; r < 14.0; r += kStepMm)
-    shown.push_back(r > 8.0 ? 0.0 : layer.difference([&](double dx, double dy) {
-      return depth(std::hypot(r + dx, dy));
-    }));
+  const ShownRound shown(layer, depth, 8.0);
   Difference difference = empty_difference({400, 300});
   for (int v = 0; v < 300; ++v)
-    for (int u = 0; u < 400; ++u) {
-      const double index = 0.05 * std::hypot(u - 200, v - 150) / kStepMm;
-      const auto i = static_cast<std::size_t>(index);
-      difference.x.at<float>(v, u) = static_cast<float>(
-          shown[i] + (index - static_cast<double>(i)) * (shown[i + 1] - shown[i]));
-    }
+    for (int u = 0; u < 400; ++u)
+      difference.x.at<float>(v, u) =
+          static_cast<float>(shown.at(0.05 * std::hypot(u - 200, v - 150)));
   return difference;
 }
 
