@@ -644,16 +644,17 @@ std::optional<std::pair<int, float>> innermost_step(Profile& profile, float sign
   constexpr int kAroundNear = 4, kAroundFar = 7;  // rows on each side that count as around
   const int first = kReach - reach, last = kReach + reach - 1;
   profile.ensure_rows(first - 2 - kAroundFar, last + 3 + kAroundFar);
-  const auto rise = [&](int i) {
+  std::array<float, 2 * kReach + 1> rises, steepness;
+  for (int i = first - 1 - kAroundFar; i <= last + 1 + kAroundFar; ++i) {
     const auto k = static_cast<std::size_t>(i);
-    return sign * (profile[k + 2] + profile[k + 1] - profile[k] - profile[k - 1]);
-  };
+    rises[k] = sign * (profile[k + 2] + profile[k + 1] - profile[k] - profile[k - 1]);
+  }
+  const auto rise = [&](int i) { return rises[static_cast<std::size_t>(i)]; };
   const auto mean_rise = [&](int from) {
     float sum = 0;
     for (int i = from; i <= from + kAroundFar - kAroundNear; ++i) sum += rise(i);
     return std::max(sum, 0.0F) / (kAroundFar - kAroundNear + 1);
   };
-  std::array<float, 2 * kReach + 1> steepness;
   for (int i = first - 1; i <= last + 1; ++i)
     steepness[static_cast<std::size_t>(i)] =
         rise(i) - 0.5F * (mean_rise(i - kAroundFar) + mean_rise(i + kAroundNear));
