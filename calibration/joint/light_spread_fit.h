@@ -3,7 +3,8 @@
 // A local mapping reads the skirt of scattered light (light_spread.h) as depth next to a contact,
 // and calibration with balls hides it inside. Here the brightness around every ball, up to several
 // layer thicknesses beyond its rim, is explained at once: by the ball, the skin that leaves it
-// (skin_profile.h), and the spread of light (spread_model.h).
+// (skin_profile.h), the spread of light, and on a finger that bends an error of each press's light
+// (spread_model.h).
 //
 // CHOICE
 // Local light, with the thickness that counts along the normal, along z or along the line of sight,
