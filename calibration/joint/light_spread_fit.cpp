@@ -71,12 +71,14 @@ double log_determinant(const Eigen::MatrixXd& matrix) {
 
 /// log of the part of what the priors allow that the data leave (Laplace's approximation of the
 /// evidence; D. MacKay, Information Theory, Inference and Learning Algorithms, 28.2).
-double log_volume_left(const Normal& normal, Eigen::Index shared) {
+double log_volume_left(const Normal& normal) {
   Eigen::MatrixXd prior = normal.prior_hessian;
+  const auto presses = static_cast<Eigen::Index>(normal.mean_square.size());
   // Positions within a millimetre, depths within a factor of e: a ball that its press does not
   // determine is no evidence.
-  for (Eigen::Index own = shared; own < prior.rows(); own += kOwn)
-    prior.diagonal().segment<3>(own).array() += 1.0;
+  for (Eigen::Index own = prior.rows() - kOwnCount * presses; own < prior.rows(); own += kOwnCount)
+    for (const Own unknown : {kAlong, kAcross, kLogDepth})
+      prior(own + unknown, own + unknown) += 1.0;
   const Eigen::MatrixXd data = (normal.hessian - normal.prior_hessian) / normal.scale();
   return 0.5 * (log_determinant(prior) - log_determinant(data + prior));
 }
@@ -89,9 +91,8 @@ struct Evidence {
 
 Evidence evidence_against(const SpreadModel& model, const Normal& local, const Normal& spread) {
   const double presses = static_cast<double>(model.presses().size());
-  Evidence evidence{0.5 * (local.prior_cost - spread.prior_cost) +
-                        log_volume_left(spread, kSharedCount) -
-                        log_volume_left(local, kLogScattering),
+  Evidence evidence{0.5 * (local.prior_cost - spread.prior_cost) + log_volume_left(spread) -
+                        log_volume_left(local),
                     0};
   for (std::size_t p = 0; p < model.presses().size(); ++p) {
     const double gained = model.presses()[p].observations * (log_likelihood(spread.mean_square[p]) -
@@ -160,11 +161,12 @@ bool add_balls(const std::vector<BallStart>& balls, const SpreadModel& model, co
     const auto pixel = pixel_of_position(shape, state.own[p].head<2>());
     const auto local = pixel ? shape.at(pixel->x(), pixel->y()) : std::nullopt;
     if (!local) return false;
-    const double depth = std::exp(state.own[p][2]);
+    const double depth = std::exp(state.own[p][kLogDepth]);
     fit->centres_mm.push_back(untouched_point_mm(*local, model.layer_mm(), MappingAlong::kNormal) +
                               (model.presses()[p].radius_mm - depth) * local->normal);
-    const Eigen::Index at = kSharedCount + kOwn * static_cast<Eigen::Index>(p);
-    const double variance = depth * depth * std::max(0.0, covariance(at + 2, at + 2));
+    const Eigen::Index at = kSharedCount + kOwnCount * static_cast<Eigen::Index>(p);
+    const double variance =
+        depth * depth * std::max(0.0, covariance(at + kLogDepth, at + kLogDepth));
     fit->centre_covariance.block<3, 3>(3 * static_cast<Eigen::Index>(p), 0) =
         variance * local->normal * local->normal.transpose();
   }
@@ -177,7 +179,7 @@ std::vector<double> held_out_mm(const SpreadModel& model, const FittedHypothesis
   constexpr int kAgain = 25;
   std::vector<double> changes_mm;
   for (std::size_t p = 0; p < model.presses().size() && !job.stop_requested(); ++p) {
-    const double depth_mm = std::exp(spread.state.own[p][2]);
+    const double depth_mm = std::exp(spread.state.own[p][kLogDepth]);
     changes_mm.push_back(depth_mm);  // where nothing is found out
     const auto others = SpreadSolver(model, spread.hypothesis, static_cast<int>(p))
                             .solve(spread.state, kAgain, job);
@@ -185,7 +187,7 @@ std::vector<double> held_out_mm(const SpreadModel& model, const FittedHypothesis
     FitState ball = *others;
     ball.own = spread.state.own;
     const auto alone = SpreadSolver(model, spread.hypothesis, -1, true).solve(ball, kAgain, job);
-    if (alone) changes_mm.back() = std::abs(std::exp(alone->own[p][2]) - depth_mm);
+    if (alone) changes_mm.back() = std::abs(std::exp(alone->own[p][kLogDepth]) - depth_mm);
   }
   return changes_mm;
 }

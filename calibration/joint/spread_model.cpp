@@ -171,19 +171,19 @@ void SpreadModel::predict(std::size_t index, Hypothesis hypothesis, const Eigen:
   const SpreadPress& press = presses_[index];
   const bool is_spread = hypothesis.seen == SeenAt::kSpread;
   const RoundContact contact{press.radius_mm, press.curvature_per_mm, layer_mm_,
-                             std::exp(std::min(own[2], 2.0))};
+                             std::exp(std::min(own[kLogDepth], 2.0))};
   const RadialProfile depth =
       skin_profile(contact, skin_form(hypothesis.bed, shared), press.reach_mm);
   const LightSpread spread = spread_by(shared);
   const SpreadSample& nearest = press.nearest_to(own.head<2>());
-  const double b = b_at(spread, own[0], is_spread ? nearest.cos_sight : 1.0);
+  const double b = b_at(spread, own[kAlong], is_spread ? nearest.cos_sight : 1.0);
   const double thickness = std::exp(shared[kLogRho]) * layer_mm_;
   const auto on_curve = [&](double depth_mm) {
     return depth_mm / std::max(kNearPole * thickness, thickness * (1.0 + b) - b * depth_mm);
   };
   const double stretch = 1.0 + layer_mm_ * press.curvature_per_mm;
   const auto distance = [&](const Eigen::Vector2d& at) {
-    return std::hypot(stretch * (at.x() - own[0]), at.y() - own[1]);
+    return std::hypot(stretch * (at.x() - own[kAlong]), at.y() - own[kAcross]);
   };
   // Depth of the skin where a line that is displaced like this through the layer meets it.
   const auto depth_met = [&](const Eigen::Vector2d& from, const Eigen::Vector2d& displacement) {
@@ -211,7 +211,7 @@ void SpreadModel::predict(std::size_t index, Hypothesis hypothesis, const Eigen:
         return depth.at(distance(at));
     }
   };
-  const double light = press.light_sd * own[3];
+  const double light = press.light_sd * own[kLight];
   const auto under_light = [&](double x_alone) { return x_alone + light * (1.0 - x_alone); };
   x->resize(static_cast<Eigen::Index>(press.samples.size()));
   Eigen::Index k = 0;

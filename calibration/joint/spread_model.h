@@ -26,10 +26,10 @@ struct SpreadSample {
   double sd = 1;  // its noise, and what the formulas of light_spread.h leave
 };
 
-/// Unknowns of one press: along, across, log of the depth along the normal, and the error of the
-/// light that its reference assumes, over SpreadPress::light_sd.
-constexpr int kOwn = 4;
-using OwnUnknowns = Eigen::Matrix<double, kOwn, 1>;
+/// Unknowns of one press: where it is on the face, mm, log of its depth along the normal, and the
+/// error of the light that its reference assumes, over SpreadPress::light_sd.
+enum Own { kAlong, kAcross, kLogDepth, kLight, kOwnCount };
+using OwnUnknowns = Eigen::Matrix<double, kOwnCount, 1>;
 
 /// A press and the face around it.
 struct SpreadPress {

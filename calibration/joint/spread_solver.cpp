@@ -46,7 +46,7 @@ Normal SpreadSolver::evaluate(const FitState& state) const {
   for (std::size_t p = 0; p < presses; ++p) {
     if (static_cast<int>(p) == skip_) {
       normal.mean_square.push_back(0.0);
-      normal.hessian.diagonal().segment<kOwn>(own_at(p)).setOnes();
+      normal.hessian.diagonal().segment<kOwnCount>(own_at(p)).setOnes();
       continue;
     }
     add_press(state, p, &normal);
@@ -74,8 +74,8 @@ void SpreadSolver::add_press(const FitState& state, std::size_t p, Normal* norma
   normal->cost += each * sum;
   normal->mean_square.push_back(sum / static_cast<double>(count));
 
-  Eigen::MatrixXd rows(count, shared_ + kOwn);
-  for (int c = 0; c < shared_ + kOwn; ++c) {
+  Eigen::MatrixXd rows(count, shared_ + kOwnCount);
+  for (int c = 0; c < shared_ + kOwnCount; ++c) {
     Eigen::VectorXd shared = state.shared;
     OwnUnknowns own = state.own[p];
     (c < shared_ ? shared[c] : own[c - shared_]) += kStep;
@@ -88,26 +88,27 @@ void SpreadSolver::add_press(const FitState& state, std::size_t p, Normal* norma
   const Eigen::VectorXd pull = weighted.transpose() * residual;
   const Eigen::Index own = own_at(p), s = shared_;
   normal->hessian.topLeftCorner(s, s) += block.topLeftCorner(s, s);
-  normal->hessian.block(0, own, s, kOwn) += block.topRightCorner(s, kOwn);
-  normal->hessian.block(own, 0, kOwn, s) += block.bottomLeftCorner(kOwn, s);
-  normal->hessian.block<kOwn, kOwn>(own, own) += block.bottomRightCorner<kOwn, kOwn>();
+  normal->hessian.block(0, own, s, kOwnCount) += block.topRightCorner(s, kOwnCount);
+  normal->hessian.block(own, 0, kOwnCount, s) += block.bottomLeftCorner(kOwnCount, s);
+  normal->hessian.block<kOwnCount, kOwnCount>(own, own) +=
+      block.bottomRightCorner<kOwnCount, kOwnCount>();
   normal->gradient.head(s) += pull.head(s);
-  normal->gradient.segment<kOwn>(own) += pull.tail<kOwn>();
+  normal->gradient.segment<kOwnCount>(own) += pull.tail<kOwnCount>();
 }
 
 void SpreadSolver::add_given_depth(const FitState& state, std::size_t p, Normal* normal) const {
   const GivenDepth& given = *model_.presses()[p].given_depth;
-  const double depth = std::exp(state.own[p][2]);
+  const double depth = std::exp(state.own[p][kLogDepth]);
   const double z = (depth - given.mm) / given.sd_mm, row = depth / given.sd_mm;
-  const Eigen::Index i = own_at(p) + 2;
+  const Eigen::Index i = own_at(p) + kLogDepth;
   normal->cost += soft_loss(z);
   normal->hessian(i, i) += robust_weight(z) * row * row;
   normal->gradient[i] += robust_weight(z) * row * z;
 }
 
 void SpreadSolver::add_light_prior(const FitState& state, std::size_t p, Normal* normal) const {
-  const double z = state.own[p][3];
-  const Eigen::Index i = own_at(p) + 3;
+  const double z = state.own[p][kLight];
+  const Eigen::Index i = own_at(p) + kLight;
   normal->cost += z * z;
   normal->prior_cost += z * z;
   normal->hessian(i, i) += 1.0;
@@ -143,7 +144,7 @@ FitState SpreadSolver::moved(const FitState& state, const Eigen::VectorXd& by) c
   const double limited = longest > kLongest ? kLongest / longest : 1.0;
   next.shared.head(shared_) += limited * by.head(shared_);
   for (std::size_t p = 0; p < next.own.size(); ++p)
-    next.own[p] += limited * by.segment<kOwn>(own_at(p));
+    next.own[p] += limited * by.segment<kOwnCount>(own_at(p));
   return next;
 }
 

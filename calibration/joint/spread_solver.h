@@ -12,7 +12,7 @@
 namespace alltact {
 
 /// Normal equations at a state, and its cost: squares of residuals over their standard deviations,
-/// linear from 3 of them, and of the priors. Unknowns: Shared, then kOwn of each press.
+/// linear from 3 of them, and of the priors. Unknowns: Shared, then Own of each press.
 struct Normal {
   Eigen::MatrixXd hessian;
   Eigen::VectorXd gradient;
@@ -39,7 +39,7 @@ class SpreadSolver {
 
  private:
   [[nodiscard]] Eigen::Index own_at(std::size_t press) const {
-    return shared_ + kOwn * static_cast<Eigen::Index>(press);
+    return shared_ + kOwnCount * static_cast<Eigen::Index>(press);
   }
   void add_press(const FitState& state, std::size_t press, Normal* normal) const;
   void add_given_depth(const FitState& state, std::size_t press, Normal* normal) const;

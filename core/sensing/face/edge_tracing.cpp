@@ -48,7 +48,7 @@ class EdgePredictor {
 struct Seed {
   int sample = 0;
   double v = 0, slope = 0, contrast = 0, outside = 0;
-  float rise = 0;
+  float steepness = 0;
 };
 
 Edge unseen(std::size_t samples) {
@@ -61,7 +61,7 @@ struct Followed {
   Edge edge;
   std::vector<double> outside, contrast;  ///< grey levels, of valid samples
   std::vector<double> slope;              ///< of the predicted edge
-  std::vector<float> rise;                ///< expected at the predicted edge
+  std::vector<float> steepness;           ///< expected at the predicted edge
 };
 
 /// True when the brightness outside the face differs from its surroundings.
@@ -111,7 +111,7 @@ void reread_near_dots(const EdgeReader& reader, const std::vector<double>& colum
       continue;
     edge.valid[k] = 0;
     if (!std::isfinite(level[k]) || !reader.reads_levels()) continue;
-    const ExpectedEdge expected{static_cast<float>(level[k]), followed.rise[k]};
+    const ExpectedEdge expected{static_cast<float>(level[k]), followed.steepness[k]};
     const auto crossing =
         reader.at(columns[k], edge.v[k], followed.slope[k], kFollowReach, expected);
     if (!crossing) continue;
@@ -153,16 +153,16 @@ int follow(const EdgeReader& reader, const Seed& seed, const std::vector<double>
   for (const int direction : {-1, 1}) {
     EdgePredictor ahead;
     ahead.add(columns[static_cast<std::size_t>(seed.sample)], seed.v);
-    ExpectedEdge expected{static_cast<float>(seed.outside), seed.rise};
+    ExpectedEdge expected{static_cast<float>(seed.outside), seed.steepness};
     for (int i = direction < 0 ? seed.sample : seed.sample + 1; i >= 0 && i < count;
          i += direction) {
       const auto k = static_cast<std::size_t>(i);
       const auto [v, slope] = ahead.at(columns[k], seed.slope);
       edge.v[k] = v;
       followed.slope[k] = slope;
-      followed.rise[k] = expected.rise;
+      followed.steepness[k] = expected.steepness;
       const auto crossing =
-          reader.at(columns[k], v, slope, kFollowReach, {std::nullopt, expected.rise});
+          reader.at(columns[k], v, slope, kFollowReach, {std::nullopt, expected.steepness});
       const bool near_dot =
           crossing && is_near_dot(crossing->outside, crossing->contrast, *expected.outside);
       auto prediction = crossing;  // crossing that the prediction is updated with
@@ -177,7 +177,7 @@ int follow(const EdgeReader& reader, const Seed& seed, const std::vector<double>
       ++seen;
       *expected.outside += (near_dot ? kDotUpdateRate : kUpdateRate) *
                            (static_cast<float>(crossing->outside) - *expected.outside);
-      if (!near_dot) expected.rise += kUpdateRate * (crossing->rise - expected.rise);
+      if (!near_dot) expected.steepness += kUpdateRate * (crossing->steepness - expected.steepness);
     }
   }
   reread_near_dots(reader, columns, followed);
@@ -210,8 +210,8 @@ Edge find_edge(const EdgeReader& reader, const RoughEdges& rough, const RoughEdg
     const auto [v, slope] = RoughEdges::position_at(path, rough.block, u);
     const auto crossing = reader.at(u, v, slope, EdgeReader::kMaxReach);
     if (crossing)
-      seeds.push_back(
-          {i, v + crossing->offset, slope, crossing->contrast, crossing->outside, crossing->rise});
+      seeds.push_back({i, v + crossing->offset, slope, crossing->contrast, crossing->outside,
+                       crossing->steepness});
   }
   std::stable_sort(seeds.begin(), seeds.end(),
                    [](const Seed& a, const Seed& b) { return a.contrast > b.contrast; });
@@ -639,7 +639,7 @@ class Profile {
 /// expected edge. A face that darkens towards its edge rises over many rows behind the step,
 /// nowhere steeper than around.
 std::optional<std::pair<int, float>> innermost_step(Profile& profile, float sign, bool face_below,
-                                                    int reach, float expected_rise) {
+                                                    int reach, float expected_steepness) {
   constexpr float kMinSteepness = 0.4F;           // fraction of the steepest
   constexpr int kAroundNear = 4, kAroundFar = 7;  // rows on each side that count as around
   const int first = kReach - reach, last = kReach + reach - 1;
@@ -662,7 +662,7 @@ std::optional<std::pair<int, float>> innermost_step(Profile& profile, float sign
   float steepest = 0;
   for (int i = first; i <= last; ++i) steepest = std::max(steepest, steep(i));
   if (!(steepest > 0)) return std::nullopt;
-  steepest = std::min(steepest, expected_rise);
+  steepest = std::min(steepest, expected_steepness);
   for (int n = 0; n <= last - first; ++n) {
     const int i = face_below ? last - n : first + n;
     if (steep(i) >= kMinSteepness * steepest && steep(i) >= steep(i - 1) &&
@@ -732,7 +732,7 @@ std::optional<EdgeCrossing> crossing_between_levels(Profile& profile, float sign
 std::optional<EdgeCrossing> mid_level_crossing(Profile& profile, float sign, bool face_below,
                                                int reach, double noise_sd, int columns,
                                                const ExpectedEdge& expected) {
-  const auto step = innermost_step(profile, sign, face_below, reach, expected.rise);
+  const auto step = innermost_step(profile, sign, face_below, reach, expected.steepness);
   if (!step) return std::nullopt;
   const double noise = noise_sd / std::sqrt(static_cast<double>(columns));
   std::optional<EdgeCrossing> crossing;
@@ -747,7 +747,7 @@ std::optional<EdgeCrossing> mid_level_crossing(Profile& profile, float sign, boo
     blurred = crossing->contrast > kBlurred * crossing->slope;
     twice_middle = static_cast<int>(std::lround(2.0 * (crossing->offset + kReach)));
   }
-  crossing->rise = step->second;
+  crossing->steepness = step->second;
   return crossing;
 }
 

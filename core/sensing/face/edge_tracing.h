@@ -39,19 +39,20 @@ struct RoughEdges {
 
 /// Where an edge crosses a sample.
 struct EdgeCrossing {
-  double offset;       ///< rows below the predicted row
-  double sd;           ///< of the offset, rows
-  double contrast;     ///< grey levels
-  double outside = 0;  ///< brightness outside the face, grey levels
-  double slope = 0;    ///< grey levels a row
-  float rise = 0;      ///< of the step, as ExpectedEdge::rise
+  double offset;        ///< rows below the predicted row
+  double sd;            ///< of the offset, rows
+  double contrast;      ///< grey levels
+  double outside = 0;   ///< brightness outside the face, grey levels
+  double slope = 0;     ///< grey levels a row
+  float steepness = 0;  ///< of the step, as ExpectedEdge::steepness
 };
 
 /// Expectation for a sample, from its surrounding samples.
 struct ExpectedEdge {
   std::optional<float> outside;  ///< brightness outside the face, grey levels
-  /// Rise of the face's edge over four rows, the two after it less the two before, grey levels.
-  float rise = std::numeric_limits<float>::infinity();
+  /// Rise of the face's edge over four rows, the two after it less the two before, less the mean
+  /// rise around it, grey levels.
+  float steepness = std::numeric_limits<float>::infinity();
 };
 
 /// Reads one edge of one image, sample by sample. Image and options must outlive it.

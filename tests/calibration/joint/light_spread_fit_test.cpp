@@ -22,8 +22,8 @@ struct RoundPress {
   double u, v, radius_mm, depth_mm;
 };
 
-/// Presses that are seen straight: middles of 150 to 250 columns and 110 to 190 rows, of 0.05 mm
-/// or so.
+/// `at`: in pixels, counted so that column 200 and row 150 are the middle of the image, where a
+/// scene is seen straight.
 Press press_of(const MadeScene& scene, const ShownRound& shown, const RoundPress& at,
                std::mt19937& random, const std::string& name) {
   const cv::Size size = scene.camera.size();
