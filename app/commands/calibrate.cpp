@@ -4,6 +4,7 @@
 #include "app/figures/figures.h"
 #include "calibration/finger/calibrate_finger.h"
 #include "calibration/finger/calibration_report.h"
+#include "calibration/report/press_resolution.h"
 #include "core/base/program.h"
 #include "core/base/utc_time.h"
 #include "core/numerics/readable_numbers.h"
@@ -59,6 +60,9 @@ void print_result(const FingerCalibration& done, Console& console) {
   console.say(fmt::format("Mapping: {}", calibration.degree_choice));
   console.say(fmt::format("Verdict: {}.", done.verdict.sentence));
   console.say(fmt::format("By zone of the face: {}.", zone_sentence(done.zones)));
+  if (const Message resolution = resolution_sentence(done.residuals, done.halo);
+      !resolution.empty())
+    console.say(fmt::format("Resolution: {}.", resolution));
   if (!done.methods.empty()) print_methods(done.methods, console);
 }
 
@@ -138,6 +142,7 @@ Status run_calibrate(const CalibrateOptions& options, Console& console) {
   answer["residual_mm"] = done->calibration.residual_mm;
   if (done->calibration.held_out_mm > 0) answer["held_out_mm"] = done->calibration.held_out_mm;
   answer["expected_error_mm"] = done->verdict.error_mm;
+  answer["resolution"] = resolution_json(*done);
   answer["presses"] = done->calibration.balls.size();
   answer["left_out"] = in_english(done->calibration.left_out);
   if (!done->problem_image.empty()) answer["problem_picture"] = done->problem_image.string();

@@ -5,6 +5,7 @@
 #include "calibration/joint/light_spread_fit.h"
 #include "calibration/reference/contact_search.h"
 #include "calibration/report/press_errors.h"
+#include "calibration/report/press_resolution.h"
 #include "calibration/verdict/verdict.h"
 #include "core/base/cache.h"
 #include "core/base/typed_number.h"
@@ -392,6 +393,8 @@ Status solve_presses(FingerCalibration& done, const MeasureAsPaper& as_paper, co
   done.pixel_mm = pixel.mean_mm;
   done.pixel_sd_mm = pixel.sd_without_mapping_mm;
   done.halo = measure_halo(presses, done.finger.face, done.calibration);
+  set_resolutions(presses, done.calibration.mapping, smoothing_of(inputs.pipeline.smoothing_px),
+                  &done.residuals);
   if (done.halo.is_seen)
     done.calibration.remarks.push_back(
         en::say("next to contacts, {:.3f} mm of depth is measured: light scatters sideways there, "

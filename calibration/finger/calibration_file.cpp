@@ -98,12 +98,24 @@ void describe_ball(Fields& fields, BallFit& ball) {
                    kAnyNumber);
 }
 
+void describe_resolution(Fields& fields, DepthResolution& resolution) {
+  describe_figure(fields, "two_points_mm", resolution.two_points_mm);
+  describe_figure(fields, "wall_mm", resolution.wall_mm);
+  describe_figure(fields, "pin_mm", resolution.pin_mm);
+  describe_figure(fields, "step_mm", resolution.step_mm);
+  fields.numbers("contrasts", resolution.contrasts, {0.0, 10.0});
+  fields.demand(resolution.contrasts.size() == std::size_t{DepthResolution::kWaves}, "contrasts",
+                en::say("has another number of waves"), en::say("calibrating again"));
+}
+
 void describe_residuals(Fields& fields, PressResiduals& residuals) {
   describe_figure(fields, "along_mm", residuals.along_mm);
   describe_figure(fields, "across_mm", residuals.across_mm);
   describe_figure(fields, "contact_radius_mm", residuals.contact_radius_mm);
   describe_figure(fields, "face_length_mm", residuals.face_length_mm);
   describe_figure(fields, "face_width_mm", residuals.face_width_mm);
+  if (fields.has(may("contrasts"), residuals.resolution))
+    describe_resolution(fields, *residuals.resolution);
   describe_samples(fields, residuals.samples);
 }
 
@@ -152,6 +164,15 @@ static void describe(Fields& fields, StepFit& step) {
   describe_figure(fields, "sd_mm", step.sd_mm);
 }
 
+static void describe(Fields& fields, Halo& halo) {
+  describe_figure(fields, "near_mm", halo.near_mm);
+  describe_figure(fields, "far_mm", halo.far_mm);
+  describe_figure(fields, "excess_mm", halo.excess_mm);
+  describe_figure(fields, "excess_sd_mm", halo.excess_sd_mm);
+  fields.integer("presses", halo.presses, 0, 1'000'000);
+  fields.flag("is_seen", halo.is_seen);
+}
+
 static void describe(Fields& fields, FingerCalibration& done) {
   Calibration& calibration = done.calibration;
   fields.format(kFormat, en::say("calibrating again"));
@@ -163,6 +184,7 @@ static void describe(Fields& fields, FingerCalibration& done) {
   describe_sentences(fields, "fault_signs", done.fault_signs);
   describe_sentences(fields, "about_settings", done.about_settings);
   fields.section(may("next_press"), calibration.next_press);
+  fields.section(may("halo"), done.halo);
   fields.sections(may("steps", !calibration.steps.empty()), calibration.steps);
   auto& balls = calibration.balls;
   fields.sections(
@@ -187,6 +209,7 @@ std::string calibration_yaml(const FingerCalibration& done) {
   FingerCalibration stored;
   stored.calibration = done.calibration;
   stored.residuals = done.residuals;
+  stored.halo = done.halo;
   thin_samples(stored.residuals);
   stored.fault_signs = done.fault_signs;
   stored.about_settings = done.about_settings;

@@ -10,6 +10,7 @@
 //   fault_signs: [...]
 //   about_settings: [...]
 //   next_press: {enough: false, along_mm: 8.1, ..., sentence: ...}
+//   halo: {near_mm: 0.01, ..., is_seen: false}
 //   steps:                            # punches with a step
 //     - {press: press_7, step_mm: 0.5, reads_mm: 0.49, sd_mm: 0.01}
 //   presses:                          # balls; last, so that a truncated file lacks some
@@ -31,8 +32,9 @@ inline constexpr const char* kCalibrationFile = "calibration.yaml";
 /// calibration gives the same bytes.
 [[nodiscard]] std::string calibration_yaml(const FingerCalibration& done);
 
-/// Fills the calibration's balls, steps, sentences and figures, residuals, fault_signs and
-/// about_settings; all else stays empty. Errors: another format; anything missing or impossible.
+/// Fills the calibration's balls, steps, sentences and figures, residuals, halo,
+/// fault_signs and about_settings; all else stays empty. Errors: another format; anything missing
+/// or impossible.
 [[nodiscard]] Result<FingerCalibration> parse_calibration(const std::string& yaml,
                                                           const std::filesystem::path& origin);
 

@@ -2,6 +2,7 @@
 
 #include "calibration/finger/calibration_inputs.h"
 #include "calibration/presses/press_note_kinds.h"
+#include "calibration/report/press_resolution.h"
 #include "core/base/atomic_file.h"
 #include "core/base/message_json.h"
 #include "core/base/utc_time.h"
@@ -133,6 +134,7 @@ std::string calibration_report_json(const FingerCalibration& done) {
                                  {"beyond_skin_mm", done.halo.excess_mm},
                                  {"beyond_skin_sd_mm", done.halo.excess_sd_mm},
                                  {"is_scattered_light", done.halo.is_seen}};
+  if (worst_resolution(done.residuals)) report["resolution"] = resolution_json(done);
   if (!done.methods.empty()) report["methods"] = methods_json(done.methods);
   report["condition"] = calibration.condition;
   report["degree_choice"] = calibration.degree_choice.english();
@@ -301,6 +303,31 @@ nlohmann::ordered_json verdict_json(const Verdict& verdict) {
         {{"evidence", verdict.missing_names[i]}, {"sentence", verdict.missing[i].english()}});
   json["rests_on"] = verdict.rests_on.english();
   json["sentence"] = verdict.sentence.english();
+  return json;
+}
+
+nlohmann::ordered_json resolution_json(const FingerCalibration& done) {
+  const auto worst = worst_resolution(done.residuals);
+  if (!worst) return nullptr;
+  const auto add_figures = [](const DepthResolution& depth, nlohmann::ordered_json* json) {
+    (*json)["two_points_mm"] = depth.two_points_mm;
+    (*json)["wall_mm"] = depth.wall_mm;
+    (*json)["pin_mm"] = depth.pin_mm;
+    (*json)["step_mm"] = depth.step_mm;
+  };
+  nlohmann::ordered_json json;
+  add_figures(*worst, &json);
+  for (int i = 0; i < DepthResolution::kWaves; ++i)
+    json["waves_per_mm"].push_back(DepthResolution::wave_per_mm(i));
+  json["contrasts"] = worst->contrasts;
+  for (const PressResiduals& one : done.residuals) {
+    if (!one.resolution) continue;
+    nlohmann::ordered_json press{
+        {"press", one.press}, {"along_mm", one.along_mm}, {"across_mm", one.across_mm}};
+    add_figures(*one.resolution, &press);
+    json["presses"].push_back(std::move(press));
+  }
+  json["sentence"] = resolution_sentence(done.residuals, done.halo).english();
   return json;
 }
 

@@ -52,4 +52,9 @@ inline constexpr const char* kReportPdf = "calibration_report.pdf";
 /// error is null.
 [[nodiscard]] nlohmann::ordered_json verdict_json(const Verdict& verdict);
 
+/// {"two_points_mm": 0.98, "wall_mm": .., "pin_mm": .., "step_mm": .., "waves_per_mm": [..],
+/// "contrasts": [..], "presses": [{"press": .., "along_mm": .., "across_mm": .., ..}], "sentence":
+/// ".."}, the worst of all presses first. Null without presses.
+[[nodiscard]] nlohmann::ordered_json resolution_json(const FingerCalibration& done);
+
 }  // namespace alltact

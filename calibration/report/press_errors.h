@@ -6,6 +6,7 @@
 #include "calibration/presses/press.h"
 #include "core/base/message.h"
 #include "core/finger/mapping.h"
+#include "core/sensing/depth/depth_resolution.h"
 
 #include <optional>
 #include <string>
@@ -37,6 +38,7 @@ struct PressResiduals {
   double face_length_mm = 0;            ///< visible length of the face in this press
   double face_width_mm = 0;             ///< there, across the contact
   std::vector<ResidualSample> samples;  ///< up to rim 1, at most about 800
+  std::optional<DepthResolution> resolution = std::nullopt;  ///< at the contact's middle
 };
 
 /// Length of the face between the first and the last column that show it.

@@ -1,6 +1,7 @@
 #include "widgets/calibrating/verdict_page.h"
 
 #include "calibration/checks/check_history.h"
+#include "calibration/report/press_resolution.h"
 #include "widgets/calibrating/calibration_run.h"
 #include "widgets/calibrating/mapping_page.h"
 #include "widgets/language.h"
@@ -272,13 +273,22 @@ void VerdictPage::show_status() {
     zones_->setVisible(shown_ != nullptr || run_.state() != CalibrationState::kNone);
     zones_->setText(
         shown_
-            ? tr("By zone of the face: %1.").arg(in_window_language(zone_sentence(shown_->zones)))
+            ? zones_text()
             : MappingPage::tr("This finger is calibrated. Calibrate again to show the figures."));
     show_next_press();
     show_remarks();
   }
   show_folds();
   Q_EMIT changed();
+}
+
+QString VerdictPage::zones_text() const {
+  QString words =
+      tr("By zone of the face: %1.").arg(in_window_language(zone_sentence(shown_->zones)));
+  const Message resolution = resolution_sentence(shown_->residuals, shown_->halo);
+  if (!resolution.empty())
+    words += QLatin1Char(' ') + tr("Resolution: %1.").arg(in_window_language(resolution));
+  return words;
 }
 
 void VerdictPage::show_next_press() {

@@ -110,6 +110,7 @@ class VerdictPage : public StepPage {
   void show_head();
   void show_task();
   void make_foot(QVBoxLayout& column);
+  [[nodiscard]] QString zones_text() const;
   void show_next_press();
   void show_remarks();
   void show_folds();

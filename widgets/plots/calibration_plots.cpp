@@ -1,5 +1,6 @@
 #include "widgets/plots/calibration_plots.h"
 
+#include "core/sensing/depth/depth_resolution.h"
 #include "widgets/plots/custom_plot.h"
 #include "widgets/theme.h"
 
@@ -242,6 +243,37 @@ bool HistogramPlot::draw() {
   chart().yAxis->setLabel(tr("Share of all blocks (%)"));
   add_line(-error_95_mm_, QString(), Qt::AlignRight);
   add_line(error_95_mm_, tr("95 % within\n± %1 mm").arg(error_95_mm_, 0, 'f', 3), Qt::AlignLeft);
+  return true;
+}
+
+void ContrastPlot::set_data(std::vector<double> contrasts) {
+  contrasts_ = std::move(contrasts);
+  setAccessibleName(tr("Contrast of fine relief"));
+  rebuild();
+}
+
+QString ContrastPlot::empty_text() const { return tr("The resolution is not known"); }
+
+bool ContrastPlot::draw() {
+  if (contrasts_.empty()) return false;
+  auto* line = chart().addGraph();
+  double highest = 1;
+  for (std::size_t i = 0; i < contrasts_.size(); ++i) {
+    line->addData(DepthResolution::wave_per_mm(static_cast<int>(i)), contrasts_[i]);
+    highest = std::max(highest, contrasts_[i]);
+  }
+  line->setPen(QPen(series_colour(0, palette()), 2));
+  const double last = DepthResolution::wave_per_mm(static_cast<int>(contrasts_.size()) - 1);
+  chart().xAxis->setLabel(tr("Waves per mm of the face"));
+  chart().yAxis->setLabel(tr("Contrast of depth"));
+  chart().xAxis->setRange(0, last);
+  chart().yAxis->setRange(0, 1.08 * highest);
+  constexpr double kHalf = 0.5;
+  auto* half = new QCPItemLine(&chart());
+  half->start->setCoords(0, kHalf);
+  half->end->setCoords(last, kHalf);
+  half->setPen(QPen(palette().color(QPalette::Text), 1, Qt::DashLine));
+  add_note(last, kHalf, tr("half as deep as the skin"), Qt::AlignRight | Qt::AlignBottom);
   return true;
 }
 

@@ -86,6 +86,24 @@ class HistogramPlot : public Plot {
   QString axis_;
 };
 
+// How much of a wave of the skin the measured depth retains.
+
+/// The modulation transfer function of a finger.
+class ContrastPlot : public Plot {
+  Q_OBJECT
+ public:
+  using Plot::Plot;
+  /// `contrasts`: DepthResolution::contrasts.
+  void set_data(std::vector<double> contrasts);
+
+ protected:
+  bool draw() override;
+  [[nodiscard]] QString empty_text() const override;
+
+ private:
+  std::vector<double> contrasts_;
+};
+
 // A finger's error over time, with the limits of its calibration.
 
 struct HistoryData {

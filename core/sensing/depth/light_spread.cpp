@@ -322,6 +322,24 @@ void remove_light_spread(const MappingParameters& mapping, const FaceShape& shap
   difference->x = x;
 }
 
+std::complex<double> wave_after_removal(const LightSpread& spread, double layer_mm,
+                                        const Eigen::Vector2d& displacement_mm, double cos_sight,
+                                        const Eigen::Vector2d& wave_per_mm) {
+  if (spread.is_local()) return 1.0;
+  const auto [core, shift, b_factor] = oblique_spread(spread, cos_sight);
+  const double wave2 = wave_per_mm.squaredNorm(), width_mm = skirt_width_mm(spread, layer_mm);
+  const double skirt = (1.0 - core) / (1.0 + wave2 * width_mm * width_mm);
+  const double path = wave_per_mm.dot(displacement_mm);  // phase from a pixel to the skin it shows
+  // Of a cell, at the pixel that sees it: each round leaves what this lacks to 1.
+  const std::complex<double> shown = core + skirt * std::polar(1.0, (shift - 1.0) * path);
+  const std::complex<double> start = shown * std::polar(1.0, path);
+  const double once = std::exp(-0.5 * wave2 * kSmoothMm * kSmoothMm),
+               smoothed = once * (2.0 - once);
+  std::complex<double> left = 1.0 - start;
+  for (int round = 0; round < kRounds; ++round) left *= 1.0 - shown;
+  return smoothed * (1.0 - left);
+}
+
 cv::Mat with_light_spread(const cv::Mat& y, const MappingParameters& mapping,
                           const FaceShape& shape) {
   if (mapping.spread.is_local()) return y;

@@ -34,7 +34,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 
+#include <Eigen/Core>
 #include <opencv2/core.hpp>
 
 namespace alltact {
@@ -73,6 +75,13 @@ template <class DepthAt>
 /// that was treated before, and a mapping with local light, change nothing.
 void remove_light_spread(const MappingParameters& mapping, const FaceShape& shape,
                          Difference* difference);
+
+/// What remove_light_spread() makes of a shallow wave of the skin, exp(i wave r): its gain and
+/// phase. `displacement_mm`: SightInLayer. Without waves, and with local light, 1.
+[[nodiscard]] std::complex<double> wave_after_removal(const LightSpread& spread, double layer_mm,
+                                                      const Eigen::Vector2d& displacement_mm,
+                                                      double cos_sight,
+                                                      const Eigen::Vector2d& wave_per_mm);
 
 /// The inverse, for simulated frames: what a face shows whose differences on the curve of
 /// `mapping` are y. CV_64FC1, finite; without meaning off the face.

@@ -3,6 +3,7 @@
 
 #include "calibration/finger/calibrate_presses.h"
 #include "calibration/finger/calibration_report.h"
+#include "calibration/report/press_resolution.h"
 #include "core/base/atomic_file.h"
 #include "core/base/yaml.h"
 #include "tests/support/flat_calibration.h"
@@ -12,6 +13,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 namespace alltact {
 namespace {
@@ -61,6 +63,8 @@ TEST_F(CalibrationFile, HoldsAllFiguresAndNothingIsMeasuredForThem) {
   EXPECT_EQ(zone_sentence(stored->zones), zone_sentence(done_.zones));
   EXPECT_EQ(stored->fault_signs, done_.fault_signs);
   EXPECT_EQ(stored->pixel_mm, done_.pixel_mm);
+  ASSERT_TRUE(worst_resolution(done_.residuals));
+  EXPECT_EQ(resolution_json(*stored), resolution_json(done_));
   ASSERT_EQ(stored->residuals.size(), done_.residuals.size());
   for (std::size_t i = 0; i < done_.residuals.size(); ++i) {
     const auto &read = stored->residuals[i].samples, &made = done_.residuals[i].samples;
