@@ -639,6 +639,29 @@
     </message>
 </context>
 <context>
+    <name>alltact::ContrastPlot</name>
+    <message>
+        <source>Contrast of fine relief</source>
+        <translation>Kontrast feiner Strukturen</translation>
+    </message>
+    <message>
+        <source>The resolution is not known</source>
+        <translation>Die Auflösung ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Waves per mm of the face</source>
+        <translation>Wellen pro mm der Fläche</translation>
+    </message>
+    <message>
+        <source>Contrast of depth</source>
+        <translation>Kontrast der Tiefe</translation>
+    </message>
+    <message>
+        <source>half as deep as the skin</source>
+        <translation>halb so tief wie die Haut</translation>
+    </message>
+</context>
+<context>
     <name>alltact::ControlPanel</name>
     <message>
         <source>Automatic exposure</source>
@@ -5386,6 +5409,10 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>unknown</source>
         <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>Resolution: %1.</source>
+        <translation>Auflösung: %1.</translation>
     </message>
 </context>
 <context>
@@ -13719,6 +13746,30 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>&apos;{}&apos; is not a whole number</source>
         <translation>„{}“ ist keine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>two points are resolved from {:.2f} mm on; depth is right within a tenth on walls of {:.2f} mm, on pins of {:.2f} mm and {:.2f} mm from a step</source>
+        <translation>zwei Punkte werden ab {} mm getrennt; auf Stegen von {} mm, auf Stiften von {} mm und {} mm neben einer Stufe stimmt die Tiefe auf ein Zehntel</translation>
+    </message>
+    <message>
+        <source>{}, if light does not scatter sideways</source>
+        <translation>{}, sofern kein Licht seitlich streut</translation>
+    </message>
+    <message>
+        <source>has another number of waves</source>
+        <translation>hat eine andere Zahl von Wellen</translation>
+    </message>
+    <message>
+        <source>Light in the layer scatters aside before it comes back</source>
+        <translation>Licht streut in der Schicht zur Seite, bevor es zurückkommt</translation>
+    </message>
+    <message>
+        <source>two effects for one layer: its light is local or scatters</source>
+        <translation>zwei Effekte für eine Schicht: ihr Licht ist örtlich oder streut</translation>
+    </message>
+    <message>
+        <source>naming the effect layer or the effect scatter</source>
+        <translation>entweder den Effekt layer oder den Effekt scatter anzugeben</translation>
     </message>
 </context>
 </TS>

@@ -634,6 +634,29 @@
     </message>
 </context>
 <context>
+    <name>alltact::ContrastPlot</name>
+    <message>
+        <source>Contrast of fine relief</source>
+        <translation>细小起伏的对比度</translation>
+    </message>
+    <message>
+        <source>The resolution is not known</source>
+        <translation>分辨率未知</translation>
+    </message>
+    <message>
+        <source>Waves per mm of the face</source>
+        <translation>每毫米接触面的波数</translation>
+    </message>
+    <message>
+        <source>Contrast of depth</source>
+        <translation>深度对比度</translation>
+    </message>
+    <message>
+        <source>half as deep as the skin</source>
+        <translation>为皮肤深度的一半</translation>
+    </message>
+</context>
+<context>
     <name>alltact::ControlPanel</name>
     <message>
         <source>Automatic exposure</source>
@@ -5347,6 +5370,10 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>unknown</source>
         <translation>未知</translation>
+    </message>
+    <message>
+        <source>Resolution: %1.</source>
+        <translation>分辨率：%1。</translation>
     </message>
 </context>
 <context>
@@ -13660,6 +13687,30 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>&apos;{}&apos; is not a whole number</source>
         <translation>“{}”不是整数</translation>
+    </message>
+    <message>
+        <source>two points are resolved from {:.2f} mm on; depth is right within a tenth on walls of {:.2f} mm, on pins of {:.2f} mm and {:.2f} mm from a step</source>
+        <translation>两点相距 {} mm 起可分辨；宽 {} mm 的薄壁、直径 {} mm 的销以及距台阶 {} mm 处，深度误差在十分之一以内</translation>
+    </message>
+    <message>
+        <source>{}, if light does not scatter sideways</source>
+        <translation>{}（前提是光不向侧面散射）</translation>
+    </message>
+    <message>
+        <source>has another number of waves</source>
+        <translation>波的数目不同</translation>
+    </message>
+    <message>
+        <source>Light in the layer scatters aside before it comes back</source>
+        <translation>光在层内向侧面散射后才返回</translation>
+    </message>
+    <message>
+        <source>two effects for one layer: its light is local or scatters</source>
+        <translation>同一层有两个效果：其光要么是局部的，要么散射</translation>
+    </message>
+    <message>
+        <source>naming the effect layer or the effect scatter</source>
+        <translation>只写效果 layer 或效果 scatter 之一</translation>
     </message>
 </context>
 </TS>

@@ -83,6 +83,24 @@ TEST(ShippedScenes, HardAbsorbingBody) {
   }
 }
 
+TEST(ShippedScenes, HardScattering) {
+  const ShippedScene scene("hard_scattering");
+  const Plan plan = scene.plan({ALLTACT_BARE}), untouched = scene.plan({ALLTACT_BARE, "ball"});
+  const cv::Mat_<float> bright = untouched.render(0);
+  // Local light shows no contact where the skin is not pressed in.
+  const Truth truth = plan.truth(0);
+  const cv::Mat_<float> share = ratio_of(plan.render(0), bright);
+  const cv::Point at = deepest_pixel(truth);
+  int rim = at.y;
+  while (truth.depth_mm.at<float>(rim, at.x) > 0) ++rim;
+  const double px_per_mm = 523.9 / truth.view_z_mm.at<float>(at);
+  const int near = rim + static_cast<int>(0.5 * px_per_mm);
+  EXPECT_EQ(truth.depth_mm.at<float>(near, at.x), 0.0F);
+  EXPECT_LT(share(near, at.x), 0.985);
+  EXPECT_GT(share(near, at.x), 0.85);
+  EXPECT_LT(share(at), 0.8);
+}
+
 TEST(ShippedScenes, HardInterreflection) {
   const ShippedScene scene("hard_interreflection");
   const Plan plan = scene.plan({ALLTACT_BARE});
