@@ -191,20 +191,23 @@ struct EffectKind {
   std::vector<std::string_view> needs;  ///< other kinds that a scene of the example needs
   /// Reads the parameters; the section collects errors. The object is of the stage's class.
   std::shared_ptr<const Effect> (*make)(YamlSection&);
+  std::string_view instead_of = {};  ///< the kind that a scene names otherwise; empty: none
 };
 
 /// The kind of the effects of class E, which reads its parameters in its constructor.
 template <class E>
 [[nodiscard]] EffectKind effect_kind(std::string name, int rank, Message sentence,
                                      std::string_view example,
-                                     std::vector<std::string_view> needs = {}) {
+                                     std::vector<std::string_view> needs = {},
+                                     std::string_view instead_of = {}) {
   return {std::move(name),
           E::kStage,
           rank,
           std::move(sentence),
           example,
           std::move(needs),
-          [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<E>(p); }};
+          [](YamlSection& p) -> std::shared_ptr<const Effect> { return std::make_shared<E>(p); },
+          instead_of};
 }
 
 /// All kinds. The build generates this from the files in effects/.

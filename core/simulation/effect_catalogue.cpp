@@ -185,13 +185,15 @@ std::string_view to_string(Stage stage) {
 std::string example_scene(const std::vector<std::string_view>& kinds, std::string_view without) {
   const auto all = effect_kinds();
   std::vector<std::string_view> requested{"bend", "layer", "leds", "quantisation"};
+  std::set<std::string_view> listed{without};
   for (const std::string_view name : kinds) {
-    if (const EffectKind* kind = kind_named(all, name))
+    if (const EffectKind* kind = kind_named(all, name)) {
       requested.insert(requested.end(), kind->needs.begin(), kind->needs.end());
+      listed.insert(kind->instead_of);
+    }
     requested.push_back(name);
   }
   std::string effects;
-  std::set<std::string_view> listed{without};
   for (const std::string_view name : requested) {
     const EffectKind* kind = kind_named(all, name);
     if (kind == nullptr || !listed.insert(name).second) continue;

@@ -12,6 +12,7 @@
 // of a white surface's light up to the skin. Isotropic scattering stands for any other by
 // similarity: give the reduced coefficient. Light that leaves through an indentation and enters
 // again, and the bending of the face over the reach of light, are ignored.
+#include "core/numerics/image_noise.h"
 #include "core/numerics/parallel.h"
 #include "core/simulation/effect.h"
 
@@ -103,16 +104,6 @@ class FaceCells {
   cv::Size size_;
 };
 
-float bilinear_at(const cv::Mat_<float>& cells, float column, float row) {
-  const float c = std::clamp(column, 0.0F, static_cast<float>(cells.cols) - 1.001F);
-  const float r = std::clamp(row, 0.0F, static_cast<float>(cells.rows) - 1.001F);
-  const int i = static_cast<int>(c), j = static_cast<int>(r);
-  const float x = c - static_cast<float>(i), y = r - static_cast<float>(j);
-  const float *upper = cells[j] + i, *lower = cells[j + 1] + i;
-  return (1 - y) * (upper[0] + x * (upper[1] - upper[0])) +
-         y * (lower[0] + x * (lower[1] - lower[0]));
-}
-
 /// The skin of one frame as the layer sees it, by cells.
 class Skin {
  public:
@@ -135,7 +126,7 @@ class Skin {
     const float at =
         std::clamp(cells_.column_at(s_mm), 0.0F, static_cast<float>(slope_.size() - 1));
     const float from = s_mm - down_mm * slope_[static_cast<std::size_t>(at)];
-    return bilinear_at(thickness_mm_, cells_.column_at(from), cells_.row_at(w_mm)) - down_mm;
+    return bilinear_within(thickness_mm_, cells_.column_at(from), cells_.row_at(w_mm)) - down_mm;
   }
   /// Displacement of a line of sight along and across, per mm of depth.
   [[nodiscard]] Eigen::Vector2f sight(int j, int i) const {
@@ -209,8 +200,8 @@ class WalkingLight {
                                    static_cast<float>(layers_) - 1.001F);
     const auto k = static_cast<std::size_t>(layer);
     const float column = cells_.column_at(s_mm), row = cells_.row_at(w_mm);
-    return std::lerp(bilinear_at(light_[k], column, row), bilinear_at(light_[k + 1], column, row),
-                     layer - static_cast<float>(k));
+    return std::lerp(bilinear_within(light_[k], column, row),
+                     bilinear_within(light_[k + 1], column, row), layer - static_cast<float>(k));
   }
 
  private:
@@ -375,8 +366,8 @@ class Scatter final : public RadianceEffect {
       const FaceRow& face = row.face;
       float* light = row.surfaces[0].light;
       for (int u = face.first; u < face.last; ++u)
-        light[u] *= bilinear_at(seen, cells.column_at(face.s_mm[u]),
-                                cells.row_at(face.y_mm[u] - face.shift_mm[u]));
+        light[u] *= bilinear_within(seen, cells.column_at(face.s_mm[u]),
+                                    cells.row_at(face.y_mm[u] - face.shift_mm[u]));
     };
   }
 
@@ -389,7 +380,7 @@ class Scatter final : public RadianceEffect {
 EffectKind effect_scatter() {
   return effect_kind<Scatter>("scatter", 10,
                               en::say("Light in the layer scatters aside before it comes back"),
-                              "scatter_per_mm: 0.6");
+                              "scatter_per_mm: 0.6", {}, "layer");
 }
 
 }  // namespace alltact
