@@ -77,14 +77,6 @@ constexpr double kSmoothMm = 0.4;
 constexpr int kRounds = 6;
 constexpr int kRoundsFromNothing = 40;
 
-/// Bilinear; the nearest cell beyond the border.
-double looked_up(const cv::Mat& cells, double column, double row) {
-  const auto within = [](double at, int count) {
-    return std::clamp(at, 0.0, std::nextafter(count - 1.0, 0.0));
-  };
-  return bilinear(cells, {within(column, cells.cols), within(row, cells.rows)});
-}
-
 /// The skirt's light on a face: q, on a grid of half as many rows and columns.
 class SkirtLight {
  public:
@@ -122,8 +114,8 @@ class SkirtLight {
     }
   }
   /// At a position on the face's grid.
-  [[nodiscard]] double at(double column, double row) const {
-    return looked_up(q_, 0.5 * column - 0.25, 0.5 * row - 0.25);
+  [[nodiscard]] float at(float column, float row) const {
+    return bilinear_within(q_, 0.5F * column - 0.25F, 0.5F * row - 0.25F);
   }
 
  private:
@@ -131,24 +123,32 @@ class SkirtLight {
   cv::Mat q_, bending_;  // width^2 times the square of a wave's number, by the transform's waves
 };
 
-/// What spread light makes of a face, and back.
+/// What spread light makes of a face, and back. In single precision, as it is done for every frame.
 class SpreadOnFace {
  public:
   SpreadOnFace(const UnrolledFace& face, const MappingParameters& mapping, double layer_mm)
-      : face_(face),
-        layer_mm_(layer_mm),
-        thickness_mm_(thickness_of(mapping)),
+      : middle_row_(static_cast<float>(face.middle_row())),
+        layer_mm_(static_cast<float>(layer_mm)),
+        thickness_mm_(static_cast<float>(thickness_of(mapping))),
         skirt_(face, skirt_width_mm(mapping.spread, layer_mm)) {
     for (int i = 0; i < face.size().width; ++i) {
       const UnrolledFace::Sight& sight = face.sight(i);
-      oblique_.push_back(oblique_spread(mapping.spread, sight.cos_sight));
-      b_.push_back(b_at(mapping.spread, face.along_mm(i), sight.cos_sight));
+      const ObliqueSpread oblique = oblique_spread(mapping.spread, sight.cos_sight);
+      columns_.push_back(
+          {static_cast<float>(sight.along), static_cast<float>(sight.across),
+           static_cast<float>(sight.across_slope), static_cast<float>(oblique.core),
+           static_cast<float>(oblique.skirt_shift),
+           static_cast<float>(b_at(mapping.spread, face.along_mm(i), sight.cos_sight))});
     }
     tabulate_seeing();
   }
 
-  [[nodiscard]] double b(int column) const { return b_[index(column)]; }
-  [[nodiscard]] double core(int column) const { return oblique_[index(column)].core; }
+  [[nodiscard]] double b(int column) const {
+    return static_cast<double>(columns_[index(column)].b);
+  }
+  [[nodiscard]] double core(int column) const {
+    return static_cast<double>(columns_[index(column)].core);
+  }
 
   /// y of each cell, and the x at the pixel whose core it is; from x by cells.
   struct Undone {
@@ -162,14 +162,13 @@ class SpreadOnFace {
       if (round > 0) skirt_.approach(undone.y, 1);
       for (int row = 0; row < x.rows; ++row) {
         const float* y = undone.y.ptr<float>(row);
+        float *seen_x = undone.seen_x.ptr<float>(row), *y_next = next.ptr<float>(row);
         for (int column = 0; column < x.cols; ++column) {
-          const double here = static_cast<double>(y[column]);
-          const Pixel pixel = pixel_that_sees(column, row, 1.0 - depth_part(here, b(column)));
-          const double core = oblique_[index(pixel.nearest)].core;
-          const double seen = looked_up(x, pixel.column, pixel.row);
-          undone.seen_x.at<float>(row, column) = static_cast<float>(seen);
-          next.at<float>(row, column) =
-              static_cast<float>(here + seen - core * here - (1.0 - core) * skirt_seen_by(pixel));
+          const Pixel pixel = pixel_that_sees(column, row, 1.0F - depth_part(y[column], column));
+          const float core = pixel.at->core;
+          seen_x[column] = bilinear_within(x, pixel.column, pixel.row);
+          y_next[column] =
+              y[column] + seen_x[column] - core * y[column] - (1.0F - core) * skirt_seen_by(pixel);
         }
       }
       cv::swap(undone.y, next);
@@ -182,94 +181,101 @@ class SpreadOnFace {
     cv::Mat x(y.size(), CV_32FC1), depths(y.size(), CV_32FC1);
     for (int row = 0; row < y.rows; ++row)
       for (int column = 0; column < y.cols; ++column)
-        depths.at<float>(row, column) = static_cast<float>(
-            depth_part(static_cast<double>(y.at<float>(row, column)), b(column)));
+        depths.at<float>(row, column) = depth_part(y.at<float>(row, column), column);
     double deepest = 0;
     cv::minMaxLoc(depths, nullptr, &deepest);
     skirt_.approach(y, kRoundsFromNothing);
     for (int row = 0; row < y.rows; ++row)
       for (int column = 0; column < y.cols; ++column) {
-        const UnrolledFace::Sight& sight = face_.sight(column);
-        const double across = across_of(sight, row);
+        const Column& here = columns_[index(column)];
+        const float across = across_of(here, static_cast<float>(row));
         const double met = meeting_part(
             [&](double part) {
-              return looked_up(depths, column + part * sight.along, row + part * across);
+              const auto along = static_cast<float>(part);
+              return static_cast<double>(
+                  bilinear_within(depths, static_cast<float>(column) + along * here.along,
+                                  static_cast<float>(row) + along * across));
             },
             deepest);
-        const double core = oblique_[index(column)].core;
-        const double skirt =
-            skirt_seen_by({static_cast<double>(column), static_cast<double>(row), column});
-        x.at<float>(row, column) = static_cast<float>(
-            core * difference_at_depth((1.0 - met) * layer_mm_, b(column), thickness_mm_) +
-            (1.0 - core) * skirt);
+        const double core = difference_at_depth((1.0 - met) * static_cast<double>(layer_mm_),
+                                                b(column), static_cast<double>(thickness_mm_));
+        x.at<float>(row, column) =
+            here.core * static_cast<float>(core) +
+            (1.0F - here.core) *
+                skirt_seen_by({static_cast<float>(column), static_cast<float>(row), &here});
       }
     return x;
   }
 
  private:
   static constexpr int kParts = 24;  // of the table of pixels that see
-  static constexpr double kLeastPart = 0.2, kPartStep = 0.04;
+  static constexpr float kLeastPart = 0.2F, kPartStep = 0.04F;
 
-  /// A pixel by its position on the grid.
+  /// A column of cells: displacement of its lines of sight through the layer, in cells
+  /// (UnrolledFace::Sight), and their spread.
+  struct Column {
+    float along, across, across_slope;
+    float core, skirt_shift;
+    float b;
+  };
+  /// A pixel by its position on the grid, with the nearest column.
   struct Pixel {
-    double column, row;
-    int nearest;  // column
+    float column, row;
+    const Column* at;
   };
 
   static std::size_t index(int column) { return static_cast<std::size_t>(column); }
-  [[nodiscard]] double across_of(const UnrolledFace::Sight& sight, double row) const {
-    return sight.across + sight.across_slope * (row - face_.middle_row());
+  [[nodiscard]] float across_of(const Column& column, float row) const {
+    return column.across + column.across_slope * (row - middle_row_);
   }
   /// Depth as a part of the layer.
-  [[nodiscard]] double depth_part(double y, double b) const {
-    return depth_on_curve(y, b, thickness_mm_) / layer_mm_;
+  [[nodiscard]] float depth_part(float y, int column) const {
+    const float b = columns_[index(column)].b;
+    return static_cast<float>(depth_on_curve(static_cast<double>(y), static_cast<double>(b),
+                                             static_cast<double>(thickness_mm_)) /
+                              static_cast<double>(layer_mm_));
+  }
+  [[nodiscard]] const Column& nearest(float column) const {
+    const float last = static_cast<float>(columns_.size()) - 1.0F;
+    return columns_[static_cast<std::size_t>(std::min(std::max(column, 0.0F), last) + 0.5F)];
   }
 
   void tabulate_seeing() {
     constexpr int kFixedSteps = 6;
-    const int columns = face_.size().width;
-    seeing_.resize(index(columns) * kParts);
+    const int columns = static_cast<int>(columns_.size());
     for (int column = 0; column < columns; ++column)
       for (int k = 0; k < kParts; ++k) {
-        const double part = kLeastPart + k * kPartStep;
-        double from = column;
+        const float part = kLeastPart + static_cast<float>(k) * kPartStep;
+        auto from = static_cast<float>(column);
         for (int step = 0; step < kFixedSteps; ++step)
-          from = column - part * face_.sight(nearest(from)).along;
-        seeing_[index(column) * kParts + index(k)] = static_cast<float>(from);
+          from = static_cast<float>(column) - part * nearest(from).along;
+        seeing_.push_back(from);
       }
-  }
-  [[nodiscard]] int nearest(double column) const {
-    return static_cast<int>(
-        std::lround(std::clamp(column, 0.0, static_cast<double>(face_.size().width - 1))));
   }
 
   /// The pixel whose line of sight is above a cell after this part of its path through the layer.
-  [[nodiscard]] Pixel pixel_that_sees(int column, int row, double part) const {
-    const double limited = std::clamp(part, kLeastPart, kLeastPart + (kParts - 1.001) * kPartStep);
-    const double at = (limited - kLeastPart) / kPartStep;
+  [[nodiscard]] Pixel pixel_that_sees(int column, int row, float part) const {
+    constexpr float kLast = kLeastPart + (static_cast<float>(kParts) - 1.001F) * kPartStep;
+    const float limited = std::min(std::max(part, kLeastPart), kLast);
+    const float at = (limited - kLeastPart) / kPartStep;
     const int k = static_cast<int>(at);
     const float* table = &seeing_[index(column) * kParts + index(k)];
-    const double a = static_cast<double>(table[0]), b = static_cast<double>(table[1]);
-    Pixel pixel{a + (at - k) * (b - a), 0.0, 0};
-    pixel.nearest = nearest(pixel.column);
-    const UnrolledFace::Sight& sight = face_.sight(pixel.nearest);
-    const double middle = face_.middle_row();
-    pixel.row =
-        middle + (row - middle - limited * sight.across) / (1.0 + limited * sight.across_slope);
-    return pixel;
+    const float seen_from = table[0] + (at - static_cast<float>(k)) * (table[1] - table[0]);
+    const Column& sight = nearest(seen_from);
+    return {seen_from,
+            middle_row_ + (static_cast<float>(row) - middle_row_ - limited * sight.across) /
+                              (1.0F + limited * sight.across_slope),
+            &sight};
   }
-  [[nodiscard]] double skirt_seen_by(const Pixel& pixel) const {
-    const UnrolledFace::Sight& sight = face_.sight(pixel.nearest);
-    const double shift = oblique_[index(pixel.nearest)].skirt_shift;
-    return skirt_.at(pixel.column + shift * sight.along,
-                     pixel.row + shift * across_of(sight, pixel.row));
+  [[nodiscard]] float skirt_seen_by(const Pixel& pixel) const {
+    const Column& sight = *pixel.at;
+    return skirt_.at(pixel.column + sight.skirt_shift * sight.along,
+                     pixel.row + sight.skirt_shift * across_of(sight, pixel.row));
   }
 
-  const UnrolledFace& face_;
-  double layer_mm_, thickness_mm_;
+  float middle_row_, layer_mm_, thickness_mm_;
   SkirtLight skirt_;
-  std::vector<ObliqueSpread> oblique_;  // by column
-  std::vector<double> b_;               // by column
+  std::vector<Column> columns_;
   std::vector<float> seeing_;  // column of the pixel that sees a column, by column and part
 };
 

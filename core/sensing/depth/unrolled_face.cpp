@@ -125,14 +125,18 @@ int UnrolledFace::column_of(int u) const {
 
 cv::Mat UnrolledFace::from_pixels(const cv::Mat& image) const {
   cv::Mat at_u(size_, CV_32FC1), at_v(size_, CV_32FC1), cells;
+  std::vector<float> u, middle_v, px_per_mm;
   for (int i = 0; i < size_.width; ++i) {
     const double s = along_mm(i);
-    const double u = along(u_, s), middle_v = along(middle_v_, s), mm_per_px = along(mm_per_px_, s);
-    for (int j = 0; j < size_.height; ++j) {
-      const double w = (j - middle_row()) * step_w_;
-      at_u.at<float>(j, i) = static_cast<float>(u);
-      at_v.at<float>(j, i) = static_cast<float>(middle_v + w / mm_per_px);
-    }
+    u.push_back(static_cast<float>(along(u_, s)));
+    middle_v.push_back(static_cast<float>(along(middle_v_, s)));
+    px_per_mm.push_back(static_cast<float>(1.0 / along(mm_per_px_, s)));
+  }
+  for (int j = 0; j < size_.height; ++j) {
+    const auto w = static_cast<float>((j - middle_row()) * step_w_);
+    std::copy(u.begin(), u.end(), at_u.ptr<float>(j));
+    float* v = at_v.ptr<float>(j);
+    for (std::size_t i = 0; i < u.size(); ++i) v[i] = middle_v[i] + w * px_per_mm[i];
   }
   cv::remap(image, cells, at_u, at_v, cv::INTER_LINEAR, cv::BORDER_CONSTANT,
             cv::Scalar(std::numeric_limits<double>::quiet_NaN()));
@@ -142,14 +146,19 @@ cv::Mat UnrolledFace::from_pixels(const cv::Mat& image) const {
 
 cv::Mat UnrolledFace::to_pixels(const cv::Mat& cells, const cv::Size& size) const {
   cv::Mat column(size, CV_32FC1), row(size, CV_32FC1), at_pixel;
+  std::vector<float> columns, middle_v, rows_per_px;
   for (int u = 0; u < size.width; ++u) {
     const double s = shape_.length_at(u);
-    const double middle_v = along(middle_v_, s), mm_per_px = along(mm_per_px_, s);
-    const auto at = static_cast<float>((s - s_.front()) / step_s_ - 0.5);
-    for (int v = 0; v < size.height; ++v) {
-      column.at<float>(v, u) = at;
-      row.at<float>(v, u) = static_cast<float>((v - middle_v) * mm_per_px / step_w_ + middle_row());
-    }
+    columns.push_back(static_cast<float>((s - s_.front()) / step_s_ - 0.5));
+    middle_v.push_back(static_cast<float>(along(middle_v_, s)));
+    rows_per_px.push_back(static_cast<float>(along(mm_per_px_, s) / step_w_));
+  }
+  for (int v = 0; v < size.height; ++v) {
+    std::copy(columns.begin(), columns.end(), column.ptr<float>(v));
+    float* at = row.ptr<float>(v);
+    for (std::size_t u = 0; u < columns.size(); ++u)
+      at[u] =
+          (static_cast<float>(v) - middle_v[u]) * rows_per_px[u] + static_cast<float>(middle_row());
   }
   cv::remap(cells, at_pixel, column, row, cv::INTER_LINEAR, cv::BORDER_REPLICATE);
   return at_pixel;
