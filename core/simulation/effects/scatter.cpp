@@ -148,7 +148,8 @@ class Skin {
       slope_[k] = row.sin[k] / row.cos[k];
       const Eigen::Vector3f ray =
           is_perspective ? Eigen::Vector3f(row.x[k], row.y[k], row.z[k]) : Eigen::Vector3f(0, 0, 1);
-      const float down = row.cos[k] * ray.z() - row.sin[k] * ray.x();
+      // Seen from behind or along the face: no pixel shows it.
+      const float down = std::max(0.05F * ray.norm(), row.cos[k] * ray.z() - row.sin[k] * ray.x());
       sight_(j, i) = {(row.cos[k] * ray.x() + row.sin[k] * ray.z()) / down, ray.y() / down};
     }
   }
@@ -167,7 +168,6 @@ struct Optics {
   [[nodiscard]] double reach_mm(double thickness_mm) const {
     return std::min(4 * thickness_mm, 12 / extinction_per_mm);
   }
-
   /// Straight from the lamps, at a depth below the view face.
   [[nodiscard]] double lamps_at(double down_mm) const {
     return std::exp(-extinction_per_mm * down_mm / cos_light);
