@@ -32,9 +32,8 @@ inline constexpr const char* kCalibrationFile = "calibration.yaml";
 /// calibration gives the same bytes.
 [[nodiscard]] std::string calibration_yaml(const FingerCalibration& done);
 
-/// Fills the calibration's balls, steps, sentences and figures, residuals, halo,
-/// fault_signs and about_settings; all else stays empty. Errors: another format; anything missing
-/// or impossible.
+/// Fills the calibration's balls, steps, sentences and figures, residuals, halo, fault_signs and
+/// about_settings; all else stays empty. Errors: another format; anything missing or impossible.
 [[nodiscard]] Result<FingerCalibration> parse_calibration(const std::string& yaml,
                                                           const std::filesystem::path& origin);
 

@@ -134,7 +134,8 @@ std::string calibration_report_json(const FingerCalibration& done) {
                                  {"beyond_skin_mm", done.halo.excess_mm},
                                  {"beyond_skin_sd_mm", done.halo.excess_sd_mm},
                                  {"is_scattered_light", done.halo.is_seen}};
-  if (worst_resolution(done.residuals)) report["resolution"] = resolution_json(done);
+  if (Json resolution = resolution_json(done); !resolution.is_null())
+    report["resolution"] = std::move(resolution);
   if (!done.methods.empty()) report["methods"] = methods_json(done.methods);
   report["condition"] = calibration.condition;
   report["degree_choice"] = calibration.degree_choice.english();

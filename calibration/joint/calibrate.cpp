@@ -346,8 +346,8 @@ Result<Calibration> solve_with_spread(const std::vector<Press>& presses,
                                       const std::vector<FoundBall>& found, const Face& face,
                                       const LightSpreadFit& fit, const Job& job,
                                       Calibration calibration) {
-  // Error of the formulas of light_spread.h, of a depth, and common to all presses: on fingers of
-  // the effect scatter 0.05 to 0.13 too shallow or too deep, on walked layers about half of it.
+  // Error of the formulas of light_spread.h, of a depth, and common to all presses: 0.02 to 0.14
+  // too shallow or too deep on fingers of the effect scatter and of the renderer in tests/foreign.
   constexpr double kFormula = 0.06;
   calibration.mapping = fit.mapping;
   std::vector<Press> local;

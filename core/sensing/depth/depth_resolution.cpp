@@ -141,8 +141,8 @@ Section step_section(const PointResponse& response, Axis axis) {
   return section;
 }
 
-/// The least size from which on `is_right`, in steps of half a cell, between which `error` is
-/// linear; at most kMaxMm.
+/// The least size from which on `error` is within the tolerance, in steps of half a cell, between
+/// which it is linear; at most kMaxMm.
 template <class Error>
 double least_size_mm(const Error& error, double cell_mm, double tolerance) {
   const double step = 0.5 * cell_mm;

@@ -57,7 +57,7 @@ TEST(DepthResolution, FollowsFromTheBlurWhereLightIsLocal) {
 
 TEST(DepthResolution, TwoPointsNeedAPixelBetweenThem) {
   MappingParameters mapping = local_mapping();
-  Smoothing sharper;  // undoes most of the blur, as no smoothing does
+  Smoothing sharper;  // nearer points would differ by its contrast alone
   sharper.weights = {1.8, -0.4};
   EXPECT_NEAR(resolution_of(mapping, sharper).two_points_mm, 2 * kPixelMm, 1e-3);
 }
@@ -132,14 +132,14 @@ TEST(DepthResolution, TwoPointsOnWalkedLayersAreSeenApartFromItsDistanceOn) {
   for (const double optical : {0.8, 1.6}) {
     const WalkedLayer layer(1.5, optical, 0.6, 40000, 6);
     const MappingParameters mapping = spreading(optical);
-    const ShownRound dent(
+    const ShownRound indentation(
         layer, [](double r) { return 0.1 * std::exp(-0.5 * std::pow(r / 0.1, 2)); }, 8.0);
     double apart_mm = 0;  // the least distance
     for (int px = 40; px > 6 && apart_mm == 0; px -= 2) {
       const double half_mm = 0.5 * px * kPixelMm;
       const cv::Mat x = measured(mapping, [&](double along, double across) {
-        return dent.at(std::hypot(along - half_mm, across)) +
-               dent.at(std::hypot(along + half_mm, across));
+        return indentation.at(std::hypot(along - half_mm, across)) +
+               indentation.at(std::hypot(along + half_mm, across));
       });
       double highest = 0;
       for (int u = 200 - px; u <= 200 + px; ++u)

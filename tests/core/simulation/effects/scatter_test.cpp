@@ -54,9 +54,8 @@ TEST(Scatter, ChangesNothingFarFromAPress) {
   EXPECT_NEAR(untouched(150, 380) / untouched(40, 20), 1, 1e-4) << "even, seen straight";
 }
 
-/// In a thick layer that absorbs nothing, light that turned once is a part of all that comes back:
-/// Chandrasekhar's H function of isotropic scattering gives R = H(1) H(cos) / (4 (1 + cos)), here
-/// H by his integral equation.
+/// Light that an infinitely thick layer of albedo 0.9 reflects straight up, by Chandrasekhar's H of
+/// isotropic scattering: R = 0.9 H(1) H(cos) / (4 (1 + cos)), H from its integral equation.
 double of_half_space(double cos_light) {
   constexpr int kNodes = 400;
   std::vector<double> h(kNodes, 1.0);
