@@ -5676,8 +5676,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>&apos;auto&apos; dauert einige Sekunden länger, und jedes Bild einer Schicht, die Licht ausbreitet, einige Hundertstelsekunden</translation>
     </message>
     <message>
-        <source>must hold a scattering of 0 to {:g} and a width_factor of {:g} to {:g}</source>
-        <translation>muss eine scattering von 0 bis {} und einen width_factor von {} bis {} enthalten</translation>
+        <source>must hold an optical_thickness of 0 to {:g} and a width_factor of {:g} to {:g}</source>
+        <translation>muss eine optical_thickness von 0 bis {} und einen width_factor von {} bis {} enthalten</translation>
     </message>
     <message>
         <source>belongs to a moebius along the normal</source>

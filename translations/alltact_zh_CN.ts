@@ -5637,8 +5637,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>&apos;auto&apos; 多用几秒；光会扩散的层，每幅图像多用百分之几秒</translation>
     </message>
     <message>
-        <source>must hold a scattering of 0 to {:g} and a width_factor of {:g} to {:g}</source>
-        <translation>必须含有 0 到 {} 的 scattering 和 {} 到 {} 的 width_factor</translation>
+        <source>must hold an optical_thickness of 0 to {:g} and a width_factor of {:g} to {:g}</source>
+        <translation>必须含有 0 到 {} 的 optical_thickness 和 {} 到 {} 的 width_factor</translation>
     </message>
     <message>
         <source>belongs to a moebius along the normal</source>

@@ -95,16 +95,18 @@ Json mapping_json(const Mapping& mapping, const std::optional<MappingRecord>& re
   if (const LightSpread& spread = parameters.spread; !spread.is_local()) {
     json["spread"] = {
         {"formula",
-         "before M, x is solved for y: x(p) = core y(p + c u) + (1 - core) q(p + s u), u the "
-         "displacement along the face to where the line of sight meets the layer's untouched outer "
-         "side, c the part of that way on which it first meets the skin, c = 1 - d / layer with d "
-         "the depth there, q - width^2 laplace q = (1 - q) y / (1 - y), m = 1 / cos(sight to "
-         "normal) - 1, t = scattering: core = exp(-t (1 + 0.47 m)), width = width_factor 0.63 "
-         "layer / t^0.55, s = 0.46 - 0.1 t; d = T (1 + b) y / (1 + b y) with T = a_mm / (1 + b of "
-         "M), b = b_straight (1 + 1.1 m) exp(log_b_along (along - middle) / half); then y is "
-         "replaced by that of the same depth on M"},
-        {"scattering", spread.scattering},
-        {"scattering_sd", spread.scattering_sd},
+         "before M, x is solved for y: 1 - x(p) = (1 - k(y(p + c u))) (1 - q(p + s u)), "
+         "k = core y / (1 - (1 - core) y), u the displacement along the face to where the line of "
+         "sight meets the layer's untouched outer side, c the part of that way on which it first "
+         "meets the skin, c = 1 - d / layer with d the depth there, q - width^2 max(0.2, 1 - 2.3 "
+         "e) "
+         "laplace q = e, e = (1 - core) y, m = 1 / cos(sight to normal) - 1, t = scattering: "
+         "core = exp(-0.68 t^0.78 (1 + 0.28 m)), width = width_factor 0.8 layer / t^0.4, "
+         "s = 0.43 - 0.066 t; d = T (1 + b) y / (1 + b y) with T = a_mm / (1 + b of M), "
+         "b = b_straight (1 + 1.5 m) exp(log_b_along (along - middle) / half); then y is replaced "
+         "by that of the same depth on M"},
+        {"optical_thickness", spread.optical_thickness},
+        {"optical_thickness_sd", spread.optical_thickness_sd},
         {"width_factor", spread.width_factor},
         {"b_straight", spread.b_straight},
         {"log_b_along", spread.log_b_along},
@@ -294,8 +296,8 @@ Texts mapping_lines(const Mapping& mapping) {
     lines.push_back(numbers("varies_half_mm", {varies.half_mm.x(), varies.half_mm.y()}));
   }
   if (const LightSpread& spread = parameters.spread; !spread.is_local())
-    lines.insert(lines.end(), {number("spread_scattering", spread.scattering),
-                               number("spread_scattering_sd", spread.scattering_sd),
+    lines.insert(lines.end(), {number("spread_optical_thickness", spread.optical_thickness),
+                               number("spread_optical_thickness_sd", spread.optical_thickness_sd),
                                number("spread_width_factor", spread.width_factor),
                                number("spread_b_straight", spread.b_straight),
                                number("spread_log_b_along", spread.log_b_along),

@@ -415,7 +415,7 @@ Result<Calibration> solve_with_spread(const std::vector<Press>& presses,
   calibration.remarks.push_back(
       en::say("the layer spreads light: {:.0f} % comes back where it went in, the rest from about "
               "{:.1f} mm around; depth is read with that undone",
-              100.0 * std::exp(-spread.scattering), skirt_width_mm(spread, face.layer_mm)));
+              100.0 * oblique_spread(spread, 1.0).core, skirt_width_mm(spread, face.layer_mm)));
   return calibration;
 }
 

@@ -29,14 +29,14 @@ std::optional<FittedHypothesis> best_fit(const SpreadModel& model, Hypothesis hy
                                          const Job& job) {
   constexpr int kTriedSteps = 10, kSteps = 60;
   const SpreadSolver solver(model, hypothesis);
-  const std::vector<double> scatterings =
-      hypothesis.seen == SeenAt::kSpread ? std::vector{0.3, 1.0} : std::vector{0.5};
+  const std::vector<double> thicknesses =
+      hypothesis.seen == SeenAt::kSpread ? std::vector{0.5, 1.6} : std::vector{0.5};
   std::optional<FitState> best;
   double least_cost = 0;
-  for (const double scattering : scatterings) {
+  for (const double optical_thickness : thicknesses) {
     FitState from = model.start();
-    from.shared[kLogScattering] = std::log(scattering);
-    from.shared[kLogB] = std::log(kBOfT) + kBPower * std::log(scattering);
+    from.shared[kLogOpticalThickness] = std::log(optical_thickness);
+    from.shared[kLogB] = b_prior(optical_thickness).mean;
     auto state = solver.solve(from, kTriedSteps, job);
     if (!state) continue;
     const double cost = solver.evaluate(*state).cost;
@@ -117,10 +117,13 @@ Evidence evidence_of(const SpreadModel& model, const FittedHypothesis& spread, c
   return least;
 }
 
-bool is_seen(const Evidence& evidence) {
-  constexpr double kSignificant = 2.5;  // 12 to 1
-  constexpr double kMostPresses = 0.5;
-  return std::isfinite(evidence.log_ratio) && evidence.log_ratio > kSignificant &&
+bool is_seen(const Evidence& evidence, std::size_t presses) {
+  // 12 to 1. A layer is white because it scatters: 4 to 1 where nearly all presses show it, unless
+  // so few leave the skin's form open.
+  constexpr std::size_t kFewPresses = 3;
+  constexpr double kNearlyAll = 0.7, kMostPresses = 0.5;
+  const bool is_shared = evidence.presses >= kNearlyAll && presses > kFewPresses;
+  return std::isfinite(evidence.log_ratio) && evidence.log_ratio > (is_shared ? 1.5 : 2.5) &&
          evidence.presses >= kMostPresses;
 }
 
@@ -131,9 +134,9 @@ MappingParameters mapping_of(const SpreadModel& model, const FitState& state,
   mapping.kind = MappingKind::kMoebius;
   mapping.along = MappingAlong::kNormal;
   mapping.spread = model.spread_by(state.shared);
-  mapping.spread.scattering_sd =
-      mapping.spread.scattering *
-      std::sqrt(std::max(0.0, covariance(kLogScattering, kLogScattering)));
+  mapping.spread.optical_thickness_sd =
+      mapping.spread.optical_thickness *
+      std::sqrt(std::max(0.0, covariance(kLogOpticalThickness, kLogOpticalThickness)));
   double b_factor = 0;
   for (std::size_t p = 0; p < model.presses().size(); ++p) {
     const SpreadSample& nearest = model.presses()[p].nearest_to(state.own[p].head<2>());
@@ -210,7 +213,7 @@ std::optional<LightSpreadFit> fit_light_spread(const std::vector<BallStart>& bal
   if (job.stop_requested()) return std::nullopt;
   LightSpreadFit fit;
   fit.log_evidence = evidence.log_ratio;
-  if (!is_seen(evidence)) return fit;
+  if (!is_seen(evidence, balls.size())) return fit;
   const Eigen::Index n = spread->normal.hessian.rows();
   const Eigen::MatrixXd covariance =
       spread->normal.scale() * spread->normal.hessian.ldlt().solve(Eigen::MatrixXd::Identity(n, n));

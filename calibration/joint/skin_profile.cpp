@@ -34,24 +34,32 @@ double RadialProfile::at(double r_mm) const {
   return (*this)[i] + (index - i) * ((*this)[i + 1] - (*this)[i]);
 }
 
-RadialProfile RadialProfile::skirt_lost(double width_mm) const {
+template <class SquaredWidth>
+RadialProfile RadialProfile::diffused(double width_mm, const SquaredWidth& squared_width) const {
   // Rings of finite volumes give one tridiagonal system; Thomas' elimination.
-  RadialProfile skirt = *this;
+  RadialProfile q = *this;
   std::array<double, kCount> above{};
-  const double w2 = width_mm * width_mm / (step_mm_ * step_mm_);
   for (int i = 0; i < kCount; ++i) {
-    const double middle = i + 0.5;
+    const double middle = i + 0.5, w2 = squared_width((*this)[i]) / (step_mm_ * step_mm_);
     const double in = w2 * i / middle;
-    const double out = i + 1 < kCount ? w2 * (i + 1) / middle : w2 * step_mm_ / width_mm;
-    const double loss = skirt_loss((*this)[i]);
+    const double out = w2 * (i + 1 < kCount ? (i + 1) / middle : step_mm_ / width_mm);
     const double diagonal =
-        1.0 + loss + in + out - (i > 0 ? in * above[static_cast<std::size_t>(i) - 1] : 0.0);
+        1.0 + in + out - (i > 0 ? in * above[static_cast<std::size_t>(i) - 1] : 0.0);
     above[static_cast<std::size_t>(i)] = (i + 1 < kCount ? out : 0.0) / diagonal;
-    skirt[i] = (loss + (i > 0 ? in * skirt[i - 1] : 0.0)) / diagonal;
+    q[i] = ((*this)[i] + (i > 0 ? in * q[i - 1] : 0.0)) / diagonal;
   }
-  for (int i = kCount - 2; i >= 0; --i)
-    skirt[i] += above[static_cast<std::size_t>(i)] * skirt[i + 1];
-  return skirt;
+  for (int i = kCount - 2; i >= 0; --i) q[i] += above[static_cast<std::size_t>(i)] * q[i + 1];
+  return q;
+}
+
+RadialProfile RadialProfile::skirt_lost(double width_mm) const {
+  const double width2 = width_mm * width_mm;
+  return diffused(width_mm, [&](double even) { return width2 * skirt_narrowing(even); });
+}
+
+RadialProfile RadialProfile::blurred(double sd_mm) const {
+  const double width2 = 0.5 * sd_mm * sd_mm;
+  return diffused(std::sqrt(width2), [&](double) { return width2; });
 }
 
 RadialProfile skin_profile(const RoundContact& contact, const SkinForm& form, double reach_mm) {

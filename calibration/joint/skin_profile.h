@@ -18,11 +18,17 @@ class RadialProfile {
   [[nodiscard]] double operator[](int i) const { return values_[static_cast<std::size_t>(i)]; }
   /// Linear between the steps; flat on the axis and beyond the reach.
   [[nodiscard]] double at(double r_mm) const;
-  /// The part of the skirt's light that is lost (q of light_spread.h) where even layers would show
-  /// this function. Beyond the reach it decays as exp(-r / width).
+  /// q of light_spread.h of which this function is e. Beyond the reach it decays as exp(-r /
+  /// width).
   [[nodiscard]] RadialProfile skirt_lost(double width_mm) const;
+  /// Its mean over K0(r sqrt(2) / sd): a blur by `sd_mm` in each direction.
+  [[nodiscard]] RadialProfile blurred(double sd_mm) const;
 
  private:
+  /// Solves q - squared_width(value) laplace q = value.
+  template <class SquaredWidth>
+  [[nodiscard]] RadialProfile diffused(double width_mm, const SquaredWidth& squared_width) const;
+
   double step_mm_;
   std::vector<double> values_;
 };

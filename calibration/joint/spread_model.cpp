@@ -2,6 +2,7 @@
 
 #include "calibration/joint/contact_model.h"
 #include "core/sensing/depth/light_spread.h"
+#include "core/sensing/depth/smoothing.h"
 #include "core/sensing/depth/unrolled_face.h"
 
 #include <algorithm>
@@ -16,10 +17,15 @@ namespace {
 constexpr int kSamplesAround = 500;   // a press
 constexpr double kReachLayers = 4.0;  // beyond the rim of a contact
 constexpr double kMaxReachMm = 14.0;  // of samples from the contact's middle
-constexpr double kModelPart = 0.02;   // of x: what the formulas of light_spread.h leave
-constexpr double kModelFloor = 0.002;
+constexpr double kModelPart = 0.01;   // of x: what the formulas of light_spread.h leave
+constexpr double kModelFloor = 0.0015;
 constexpr double kCorrelatedLayers2 = 3.0;  // squared thicknesses for one observation
 constexpr double kTypicalFadeMm = 2.4;
+
+double blur_mm(const SpreadPress& press, double log_blur) {
+  const double lens_px2 = kOpticsPx2 * std::exp(std::clamp(log_blur, -3.0, 3.0));
+  return std::sqrt((press.blur_px2 - kOpticsPx2 + lens_px2) * press.mm2_per_px2);
+}
 
 std::optional<Eigen::Vector2d> face_position(const FaceShape& shape,
                                              const Eigen::Vector3d& view_point) {
@@ -97,12 +103,15 @@ std::optional<SpreadPress> spread_press(const Press& press, const Face& face,
     if (!sight) continue;
     SpreadSample one = spread_sample(sample, *sight, press.shape.base_at_low_u());
     one.sd = std::hypot(around.x_sd, std::hypot(kModelFloor, kModelPart * sample.x));
+    made.mm2_per_px2 += 0.5 * (sample.by_u.squaredNorm() + sample.by_v.squaredNorm());
     area_mm2 += sample.by_u.cross(sample.by_v).norm() * around.block_px * around.block_px;
     made.reach_mm =
         std::max(made.reach_mm, (one.position_mm - *position).norm() + one.sight_mm.norm());
     made.samples.push_back(one);
   }
   if (made.samples.size() < kLeastSamples) return std::nullopt;
+  made.mm2_per_px2 /= static_cast<double>(made.samples.size());
+  made.blur_px2 = around.blur_px2;
   made.observations =
       std::max(8.0, area_mm2 / (kCorrelatedLayers2 * face.layer_mm * face.layer_mm));
   made.reach_mm += 1.0;
@@ -112,9 +121,8 @@ std::optional<SpreadPress> spread_press(const Press& press, const Face& face,
 UnknownPrior prior_of(int shared, Hypothesis hypothesis) {
   const bool is_half_space = hypothesis.bed == Bed::kHalfSpace;
   switch (shared) {
-    case kLogRho:  // local light may follow other laws than those of light_spread.h
-      return hypothesis.seen == SeenAt::kSpread ? UnknownPrior{std::log(0.85), 0.06}
-                                                : UnknownPrior{std::log(0.97), 0.5};
+    case kLogRho:
+      return {std::log(0.97), 0.5};
     case kLogB:
       return {0.0, 1.5};
     case kLogBAlong:
@@ -126,13 +134,29 @@ UnknownPrior prior_of(int shared, Hypothesis hypothesis) {
       return {0.0, 0.5};
     case kRisePower:
       return {1.0, 0.5};
-    case kLogScattering:
+    case kLogBlur:  // 0.1 to 0.9 px^2
+      return {-0.5, 0.6};
+    case kLogOpticalThickness:
       return {std::log(0.6), 0.8};
     case kLogWidth:
-      return {0.0, 0.2};
+      return {0.0, 0.12};
     default:
       return {0.0, 0.04};  // rises
   }
+}
+
+CurvePrior rho_prior(double optical_thickness) {
+  constexpr double kBlack = 0.97, kFormulaSd = 0.025;
+  constexpr double kCoat = 0.01, kCoatSd = 0.015;  // part of the light that the outside gives back
+  const double by_coat = 2.0 / std::pow(optical_thickness, 1.3);
+  const double coat_sd = by_coat * kCoatSd, sd = std::hypot(kFormulaSd, coat_sd);
+  return {std::log(kBlack) + by_coat * kCoat, -1.3 * by_coat * kCoat, sd,
+          -1.3 * coat_sd * coat_sd / sd};
+}
+
+CurvePrior b_prior(double optical_thickness) {
+  // For light at 53 degrees; about twice or half of that for 65 or 25 degrees.
+  return {std::log(0.42) + 1.35 * std::log(optical_thickness), 1.35, 0.55, 0.0};
 }
 
 SpreadModel::SpreadModel(std::vector<SpreadPress> presses, double layer_mm)
@@ -146,8 +170,8 @@ SpreadModel::SpreadModel(std::vector<SpreadPress> presses, double layer_mm)
 
 LightSpread SpreadModel::spread_by(const Eigen::VectorXd& shared) const {
   LightSpread spread;
-  spread.scattering =
-      std::clamp(std::exp(shared[kLogScattering]), 0.01, LightSpread::kMaxScattering);
+  spread.optical_thickness =
+      std::clamp(std::exp(shared[kLogOpticalThickness]), 0.01, LightSpread::kMaxOpticalThickness);
   spread.width_factor =
       std::clamp(std::exp(shared[kLogWidth]), LightSpread::kMinWidth, LightSpread::kMaxWidth);
   spread.b_straight = std::exp(std::clamp(shared[kLogB], -6.0, 4.0));
@@ -173,7 +197,8 @@ void SpreadModel::predict(std::size_t index, Hypothesis hypothesis, const Eigen:
   const RoundContact contact{press.radius_mm, press.curvature_per_mm, layer_mm_,
                              std::exp(std::min(own[kLogDepth], 2.0))};
   const RadialProfile depth =
-      skin_profile(contact, skin_form(hypothesis.bed, shared), press.reach_mm);
+      skin_profile(contact, skin_form(hypothesis.bed, shared), press.reach_mm)
+          .blurred(blur_mm(press, shared[kLogBlur]));
   const LightSpread spread = spread_by(shared);
   const SpreadSample& nearest = press.nearest_to(own.head<2>());
   const double b = b_at(spread, own[kAlong], is_spread ? nearest.cos_sight : 1.0);
@@ -220,15 +245,16 @@ void SpreadModel::predict(std::size_t index, Hypothesis hypothesis, const Eigen:
       (*x)[k++] = under_light(on_curve(local_depth(hypothesis.seen, sample)));
     return;
   }
-  RadialProfile y = depth;
-  for (int i = 0; i < RadialProfile::kCount; ++i) y[i] = on_curve(y[i]);
-  const RadialProfile skirt = y.skirt_lost(skirt_width_mm(spread, layer_mm_));
+  RadialProfile lost_even = depth;
+  const double around = 1.0 - oblique_spread(spread, nearest.cos_sight).core;
+  for (int i = 0; i < RadialProfile::kCount; ++i) lost_even[i] = around * on_curve(depth[i]);
+  const RadialProfile skirt = lost_even.skirt_lost(skirt_width_mm(spread, layer_mm_));
   for (const SpreadSample& sample : press.samples) {
     const ObliqueSpread oblique = oblique_spread(spread, sample.cos_sight);
-    const double core = on_curve(depth_met(sample.position_mm, sample.sight_mm));
-    const double around =
+    const double y_met = on_curve(depth_met(sample.position_mm, sample.sight_mm));
+    const double lost =
         skirt.at(distance(sample.position_mm + oblique.skirt_shift * sample.sight_mm));
-    (*x)[k++] = under_light(oblique.core * core + (1.0 - oblique.core) * around);
+    (*x)[k++] = under_light(seen_difference(y_met, lost, oblique.core));
   }
 }
 

@@ -37,6 +37,8 @@ struct SpreadPress {
   double radius_mm = 0;
   double curvature_per_mm = 0;  // RoundContact
   double reach_mm = 0;          // of radial profiles
+  double blur_px2 = 0;          // variance in the image, by a sharp lens and by samples
+  double mm2_per_px2 = 0;       // the same on the face
   /// Samples that count as independent: what the formulas leave varies over the layer's thickness.
   double observations = 1;
   double light_sd = 0;  // of brightness: error of the light that the reference assumes
@@ -59,7 +61,8 @@ struct Hypothesis {
 };
 
 /// Unknowns that all presses share, scaled to about 1: the curve (light_spread.h), the skin's form
-/// (skin_profile.h), and of spread light only scattering and the factor of the skirt's width.
+/// (skin_profile.h), and for spread light only the layer's optical thickness and the factors of the
+/// skirt's width and of the lens's variance.
 enum Shared {
   kLogRho,
   kLogB,
@@ -68,8 +71,9 @@ enum Shared {
   kLiftPower,
   kRise,
   kRisePower = kRise + 3,
-  kLogScattering,
+  kLogOpticalThickness,
   kLogWidth,
+  kLogBlur,
   kSharedCount
 };
 struct FitState {
@@ -82,8 +86,13 @@ struct UnknownPrior {
 };
 [[nodiscard]] UnknownPrior prior_of(int shared, Hypothesis hypothesis);
 
-// b = 1.2 t^1.05 for light at 53 degrees, and about twice or half of that for 70 or 25 degrees.
-constexpr double kBOfT = 1.2, kBPower = 1.05, kLogBSd = 0.5;
+/// Prior of the logarithm of an unknown of the curve, by light_spread.h, with the derivatives by
+/// that of the optical thickness.
+struct CurvePrior {
+  double mean, mean_by_log, sd, sd_by_log;
+};
+[[nodiscard]] CurvePrior rho_prior(double optical_thickness);
+[[nodiscard]] CurvePrior b_prior(double optical_thickness);
 
 class SpreadModel {
  public:
@@ -91,7 +100,7 @@ class SpreadModel {
 
   /// How many of Shared a hypothesis has.
   [[nodiscard]] static int count_of(Hypothesis hypothesis) {
-    return hypothesis.seen == SeenAt::kSpread ? kSharedCount : kLogScattering;
+    return hypothesis.seen == SeenAt::kSpread ? kSharedCount : kLogOpticalThickness;
   }
   [[nodiscard]] const std::vector<SpreadPress>& presses() const { return presses_; }
   [[nodiscard]] double layer_mm() const { return layer_mm_; }

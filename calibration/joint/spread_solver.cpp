@@ -128,9 +128,15 @@ void SpreadSolver::add_priors(const Eigen::VectorXd& shared, Normal* normal) con
     add((shared[i] - prior.mean) / prior.sd, Eigen::VectorXd::Unit(shared_, i) / prior.sd);
   }
   if (hypothesis_.seen == SeenAt::kSpread && shared_ > 0) {
-    Eigen::VectorXd by = Eigen::VectorXd::Unit(shared_, kLogB) / kLogBSd;
-    by[kLogScattering] = -kBPower / kLogBSd;
-    add((shared[kLogB] - std::log(kBOfT) - kBPower * shared[kLogScattering]) / kLogBSd, by);
+    const double optical_thickness = std::exp(shared[kLogOpticalThickness]);
+    const auto add_curve = [&](int unknown, const CurvePrior& prior) {
+      const double z = (shared[unknown] - prior.mean) / prior.sd;
+      Eigen::VectorXd by = Eigen::VectorXd::Unit(shared_, unknown) / prior.sd;
+      by[kLogOpticalThickness] = -(prior.mean_by_log + z * prior.sd_by_log) / prior.sd;
+      add(z, by);
+    };
+    add_curve(kLogRho, rho_prior(optical_thickness));
+    add_curve(kLogB, b_prior(optical_thickness));
   }
   normal->cost += normal->prior_cost;
   normal->hessian.topLeftCorner(shared_, shared_) += hessian;

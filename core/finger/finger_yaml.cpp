@@ -198,8 +198,8 @@ static void describe(Fields& fields, FaceVariation& variation) {
 }
 
 static void describe(Fields& fields, LightSpread& spread) {
-  fields.number("scattering", spread.scattering, en::say("without unit"));
-  fields.number("scattering_sd", spread.scattering_sd, en::say("without unit"));
+  fields.number("optical_thickness", spread.optical_thickness, en::say("without unit"));
+  fields.number("optical_thickness_sd", spread.optical_thickness_sd, en::say("without unit"));
   fields.number("width_factor", spread.width_factor, en::say("without unit"));
   fields.number("b_straight", spread.b_straight, en::say("without unit"));
   fields.number("log_b_along", spread.log_b_along, en::say("without unit"));

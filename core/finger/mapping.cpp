@@ -152,8 +152,9 @@ std::optional<Error> variation_problem(const FaceVariation& variation) {
 
 std::optional<Error> spread_problem(const MappingParameters& parameters) {
   const LightSpread& spread = parameters.spread;
-  const bool is_one = spread.scattering >= 0 && spread.scattering <= LightSpread::kMaxScattering &&
-                      spread.scattering_sd >= 0 && spread.scattering_sd <= 10 &&
+  const bool is_one = spread.optical_thickness >= 0 &&
+                      spread.optical_thickness <= LightSpread::kMaxOpticalThickness &&
+                      spread.optical_thickness_sd >= 0 && spread.optical_thickness_sd <= 10 &&
                       spread.width_factor >= LightSpread::kMinWidth &&
                       spread.width_factor <= LightSpread::kMaxWidth && spread.b_straight >= 0 &&
                       spread.b_straight <= 1e3 && std::abs(spread.log_b_along) <= 5 &&
@@ -161,8 +162,8 @@ std::optional<Error> spread_problem(const MappingParameters& parameters) {
                       spread.half_mm <= 1e6;
   if (!is_one)
     return Error{
-        en::say("must hold a scattering of 0 to {:g} and a width_factor of {:g} to {:g}",
-                LightSpread::kMaxScattering, LightSpread::kMinWidth, LightSpread::kMaxWidth),
+        en::say("must hold an optical_thickness of 0 to {:g} and a width_factor of {:g} to {:g}",
+                LightSpread::kMaxOpticalThickness, LightSpread::kMinWidth, LightSpread::kMaxWidth),
         std::string("mapping.spread"), en::say("leave it out, or calibrate again")};
   if (spread.is_local() || (parameters.kind == MappingKind::kMoebius &&
                             parameters.along == MappingAlong::kNormal && parameters.b > -1))

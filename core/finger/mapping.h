@@ -44,9 +44,8 @@ struct FaceVariation {
 /// How light spreads in the layer before it comes back (core/sensing/depth/light_spread.h). Zero
 /// scattering: the brightness of a pixel depends on the layer at that pixel alone.
 struct LightSpread {
-  /// -log of the part of the light that comes back where it went in, for a line of sight along the
-  /// normal; 0 to kMaxScattering.
-  double scattering = 0, scattering_sd = 0;
+  /// Optical thickness of the layer: reduced scattering times thickness; 0 to kMaxOpticalThickness.
+  double optical_thickness = 0, optical_thickness_sd = 0;
   /// Width of the skirt relative to that of an even layer that scatters in all directions alike.
   double width_factor = 1;
   /// b of the Moebius curve for a line of sight along the normal, > 0, and the logarithm of its
@@ -54,8 +53,8 @@ struct LightSpread {
   double b_straight = 0, log_b_along = 0;
   double middle_mm = 0, half_mm = 1;  ///< of the calibrated length along the face
 
-  static constexpr double kMaxScattering = 2.5, kMinWidth = 0.3, kMaxWidth = 3.0;
-  [[nodiscard]] bool is_local() const { return scattering == 0; }
+  static constexpr double kMaxOpticalThickness = 4.0, kMinWidth = 0.3, kMaxWidth = 3.0;
+  [[nodiscard]] bool is_local() const { return optical_thickness == 0; }
 };
 
 /// Parameters of a mapping.

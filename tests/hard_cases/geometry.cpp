@@ -23,12 +23,13 @@ std::vector<Eigen::Vector3d> outline(const Eigen::Vector3d& centre, double radiu
   const int all = 540;
   const auto horizon = ball_horizon_mm(true, centre, radius, all);
   const auto used = static_cast<std::size_t>(all * arc_deg / 360.0);
-  std::normal_distribution<double> noise(0.0, noise_px / kFocal);
+  std::normal_distribution<double> normal;
+  const auto noise = [&] { return noise_px / kFocal * normal(random); };
   std::vector<Eigen::Vector3d> directions;
   for (std::size_t i = 0; i < used; ++i) {
     const Eigen::Vector3d& p = horizon[i];
     if (noise_px > 0.0)
-      directions.emplace_back(p.x() / p.z() + noise(random), p.y() / p.z() + noise(random), 1.0);
+      directions.emplace_back(p.x() / p.z() + noise(), p.y() / p.z() + noise(), 1.0);
     else
       directions.push_back(p);
   }

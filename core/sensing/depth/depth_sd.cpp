@@ -1,5 +1,6 @@
 #include "core/sensing/depth/depth_sd.h"
 
+#include "core/sensing/depth/light_spread.h"
 #include "core/sensing/depth/smoothing.h"
 #include "core/sensing/reference/image_warp.h"
 #include "core/sensing/reference/reference_image.h"
@@ -114,12 +115,18 @@ DepthErrorModel::SpreadGain DepthErrorModel::spread_gain(int u) const {
           static_cast<double>(removed.level_gain[column])};
 }
 
-/// The change by the removal of spread light grows with the scattering as 1 - exp(-scattering).
+/// The change by the removal of spread light grows as 1 / core - 1.
 double DepthErrorModel::spread_sd(int u, int v) const {
   if (depth_.spread_removed.is_none()) return 0.0;
+  constexpr double kPart = 0.01;
   const LightSpread& spread = mapping_.parameters().spread;
-  return std::abs(static_cast<double>(depth_.spread_removed.change.at<float>(v, u))) *
-         spread.scattering_sd / std::expm1(spread.scattering) * std::exp(spread.scattering);
+  LightSpread more = spread;
+  more.optical_thickness *= 1.0 + kPart;
+  const double here = 1.0 / oblique_spread(spread, 1.0).core - 1.0,
+               there = 1.0 / oblique_spread(more, 1.0).core - 1.0;
+  const double growth = (there - here) / (here * kPart * spread.optical_thickness);
+  return std::abs(static_cast<double>(depth_.spread_removed.change.at<float>(v, u))) * growth *
+         spread.optical_thickness_sd;
 }
 
 double DepthErrorModel::level_at(int u, int v) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include <opencv2/imgproc.hpp>
@@ -22,8 +23,9 @@ double longer_path(double cos_sight) {
 }  // namespace
 
 ObliqueSpread oblique_spread(const LightSpread& spread, double cos_sight) {
-  const double t = spread.scattering, longer = longer_path(cos_sight);
-  return {std::exp(-t * (1.0 + 0.47 * longer)), 0.46 - 0.1 * t, 1.0 + 1.1 * longer};
+  const double t = spread.optical_thickness, longer = longer_path(cos_sight);
+  return {std::exp(-0.68 * std::pow(t, 0.78) * (1.0 + 0.28 * longer)), 0.43 - 0.066 * t,
+          1.0 + 1.5 * longer};
 }
 
 double b_at(const LightSpread& spread, double along_mm, double cos_sight) {
@@ -34,14 +36,20 @@ double b_at(const LightSpread& spread, double along_mm, double cos_sight) {
 
 double skirt_width_mm(const LightSpread& spread, double layer_mm) {
   constexpr double kMaxLayers = 3.0;
-  return layer_mm * std::min(kMaxLayers, spread.width_factor * 0.63 /
-                                             std::pow(std::max(spread.scattering, 1e-6), 0.55));
+  return layer_mm *
+         std::min(kMaxLayers, spread.width_factor * 0.8 /
+                                  std::pow(std::max(spread.optical_thickness, 1e-6), 0.4));
 }
 
-double skirt_loss(double y) {
-  constexpr double kLeast = -0.5, kMost = 0.85;
-  const double limited = std::clamp(y, kLeast, kMost);
-  return limited / (1.0 - limited);
+double seen_difference(double y, double q, double core) {
+  constexpr double kMost = 0.95;  // the core's pole is not reached
+  const double limited = std::min(y, kMost);
+  return 1.0 - (1.0 - limited) / (1.0 - (1.0 - core) * limited) * (1.0 - q);
+}
+
+double skirt_narrowing(double lost_even) {
+  constexpr double kLeast = 0.2;
+  return std::max(kLeast, 1.0 - 2.3 * lost_even);
 }
 
 namespace {
@@ -80,7 +88,8 @@ constexpr int kRoundsFromNothing = 40;
 /// The skirt's light on a face: q, on a grid of half as many rows and columns.
 class SkirtLight {
  public:
-  SkirtLight(const UnrolledFace& face, double width_mm)
+  /// `core`: of the columns of the face's grid.
+  SkirtLight(const UnrolledFace& face, double width_mm, const std::vector<float>& core)
       : size_(face.size() / 2), q_(size_, CV_32FC1, cv::Scalar(0.0)) {
     const double along_mm = face.size().width * face.step_along_mm(),
                  across_mm = face.size().height * face.step_across_mm();
@@ -90,26 +99,30 @@ class SkirtLight {
         const double k = M_PI * width_mm * std::hypot(i / along_mm, j / across_mm);
         bending_.at<float>(j, i) = static_cast<float>(k * k);
       }
+    for (int i = 0; i < size_.width; ++i)
+      around_.push_back(1.0F - core[2 * static_cast<std::size_t>(i)]);
   }
 
-  /// Steps towards the q of cells that would show y on even layers. Half of the largest loss is
-  /// solved for at once, so that it converges for any.
+  /// Steps towards the q of cells that would show y on even layers: r q - width^2 laplace q = r e.
+  /// The middle of all r is solved for at once, so that it converges.
   void approach(const cv::Mat& y, int steps) {
-    cv::Mat loss;
-    cv::resize(y, loss, size_, 0, 0, cv::INTER_AREA);
-    float most = 0.0F;
-    for (int j = 0; j < loss.rows; ++j) {
-      float* here = loss.ptr<float>(j);
-      for (int i = 0; i < loss.cols; ++i) {
-        here[i] = static_cast<float>(skirt_loss(static_cast<double>(here[i])));
-        most = std::max(most, here[i]);
+    cv::Mat even, r(size_, CV_32FC1);
+    cv::resize(y, even, size_, 0, 0, cv::INTER_AREA);
+    for (int j = 0; j < size_.height; ++j) {
+      float *e = even.ptr<float>(j), *here = r.ptr<float>(j);
+      for (int i = 0; i < size_.width; ++i) {
+        e[i] = around_[static_cast<std::size_t>(i)] * std::clamp(e[i], kLeast, kMost);
+        here[i] = static_cast<float>(1.0 / skirt_narrowing(static_cast<double>(e[i])));
       }
     }
-    const float even = 0.5F * most;
+    double least = 0, most = 0;
+    cv::minMaxLoc(r, &least, &most);
+    const double middle = 0.5 * (least + most);
+    const cv::Mat sources = r.mul(even), rest = r - middle;
     for (int step = 0; step < steps; ++step) {
-      q_ = loss - (loss - even).mul(q_);
+      q_ = sources - rest.mul(q_);
       cv::dct(q_, q_);
-      cv::divide(q_, bending_ + (1.0F + even), q_);
+      cv::divide(q_, bending_ + middle, q_);
       cv::dct(q_, q_, cv::DCT_INVERSE);
     }
   }
@@ -119,8 +132,11 @@ class SkirtLight {
   }
 
  private:
+  static constexpr float kLeast = -0.5F, kMost = 0.95F;  // of y
+
   cv::Size size_;
   cv::Mat q_, bending_;  // width^2 times the square of a wave's number, by the transform's waves
+  std::vector<float> around_;  // 1 - core, by columns
 };
 
 /// What spread light makes of a face, and back. In single precision, as it is done for every frame.
@@ -129,8 +145,8 @@ class SpreadOnFace {
   SpreadOnFace(const UnrolledFace& face, const MappingParameters& mapping, double layer_mm)
       : middle_row_(static_cast<float>(face.middle_row())),
         layer_mm_(static_cast<float>(layer_mm)),
-        thickness_mm_(static_cast<float>(thickness_of(mapping))),
-        skirt_(face, skirt_width_mm(mapping.spread, layer_mm)) {
+        thickness_mm_(static_cast<float>(thickness_of(mapping))) {
+    std::vector<float> core;
     for (int i = 0; i < face.size().width; ++i) {
       const UnrolledFace::Sight& sight = face.sight(i);
       const ObliqueSpread oblique = oblique_spread(mapping.spread, sight.cos_sight);
@@ -139,7 +155,9 @@ class SpreadOnFace {
            static_cast<float>(sight.across_slope), static_cast<float>(oblique.core),
            static_cast<float>(oblique.skirt_shift),
            static_cast<float>(b_at(mapping.spread, face.along_mm(i), sight.cos_sight))});
+      core.push_back(columns_.back().core);
     }
+    skirt_.emplace(face, skirt_width_mm(mapping.spread, layer_mm), core);
     tabulate_seeing();
   }
 
@@ -157,18 +175,16 @@ class SpreadOnFace {
   [[nodiscard]] Undone undo(const cv::Mat& x) {
     Undone undone{x.clone(), cv::Mat(x.size(), CV_32FC1)};
     cv::Mat next(x.size(), CV_32FC1);
-    skirt_.approach(x, 3);
+    skirt_->approach(x, 3);
     for (int round = 0; round < kRounds; ++round) {
-      if (round > 0) skirt_.approach(undone.y, 1);
+      if (round > 0) skirt_->approach(undone.y, 1);
       for (int row = 0; row < x.rows; ++row) {
         const float* y = undone.y.ptr<float>(row);
         float *seen_x = undone.seen_x.ptr<float>(row), *y_next = next.ptr<float>(row);
         for (int column = 0; column < x.cols; ++column) {
           const Pixel pixel = pixel_that_sees(column, row, 1.0F - depth_part(y[column], column));
-          const float core = pixel.at->core;
           seen_x[column] = bilinear_within(x, pixel.column, pixel.row);
-          y_next[column] =
-              y[column] + seen_x[column] - core * y[column] - (1.0F - core) * skirt_seen_by(pixel);
+          y_next[column] = y[column] + seen_x[column] - seen(y[column], pixel);
         }
       }
       cv::swap(undone.y, next);
@@ -184,7 +200,7 @@ class SpreadOnFace {
         depths.at<float>(row, column) = depth_part(y.at<float>(row, column), column);
     double deepest = 0;
     cv::minMaxLoc(depths, nullptr, &deepest);
-    skirt_.approach(y, kRoundsFromNothing);
+    skirt_->approach(y, kRoundsFromNothing);
     for (int row = 0; row < y.rows; ++row)
       for (int column = 0; column < y.cols; ++column) {
         const Column& here = columns_[index(column)];
@@ -197,12 +213,11 @@ class SpreadOnFace {
                                   static_cast<float>(row) + along * across));
             },
             deepest);
-        const double core = difference_at_depth((1.0 - met) * static_cast<double>(layer_mm_),
-                                                b(column), static_cast<double>(thickness_mm_));
+        const double y_met = difference_at_depth((1.0 - met) * static_cast<double>(layer_mm_),
+                                                 b(column), static_cast<double>(thickness_mm_));
         x.at<float>(row, column) =
-            here.core * static_cast<float>(core) +
-            (1.0F - here.core) *
-                skirt_seen_by({static_cast<float>(column), static_cast<float>(row), &here});
+            seen(static_cast<float>(y_met),
+                 {static_cast<float>(column), static_cast<float>(row), &here});
       }
     return x;
   }
@@ -267,14 +282,17 @@ class SpreadOnFace {
                               (1.0F + limited * sight.across_slope),
             &sight};
   }
-  [[nodiscard]] float skirt_seen_by(const Pixel& pixel) const {
+  /// x of a pixel whose core shows y.
+  [[nodiscard]] float seen(float y, const Pixel& pixel) const {
     const Column& sight = *pixel.at;
-    return skirt_.at(pixel.column + sight.skirt_shift * sight.along,
-                     pixel.row + sight.skirt_shift * across_of(sight, pixel.row));
+    const float q = skirt_->at(pixel.column + sight.skirt_shift * sight.along,
+                               pixel.row + sight.skirt_shift * across_of(sight, pixel.row));
+    return static_cast<float>(seen_difference(static_cast<double>(y), static_cast<double>(q),
+                                              static_cast<double>(sight.core)));
   }
 
   float middle_row_, layer_mm_, thickness_mm_;
-  SkirtLight skirt_;
+  std::optional<SkirtLight> skirt_;
   std::vector<Column> columns_;
   std::vector<float> seeing_;  // column of the pixel that sees a column, by column and part
 };
@@ -334,16 +352,23 @@ std::complex<double> wave_after_removal(const LightSpread& spread, double layer_
   if (spread.is_local()) return 1.0;
   const auto [core, shift, b_factor] = oblique_spread(spread, cos_sight);
   const double wave2 = wave_per_mm.squaredNorm(), width_mm = skirt_width_mm(spread, layer_mm);
-  const double skirt = (1.0 - core) / (1.0 + wave2 * width_mm * width_mm);
   const double path = wave_per_mm.dot(displacement_mm);  // phase from a pixel to the skin it shows
-  // Of a cell, at the pixel that sees it: each round leaves what this lacks to 1.
-  const std::complex<double> shown = core + skirt * std::polar(1.0, (shift - 1.0) * path);
-  const std::complex<double> start = shown * std::polar(1.0, path);
+  // Of a cell, at the pixel that sees it.
+  const auto shown_with = [&, shift = shift](double core_part) {
+    const double skirt = (1.0 - core_part) / (1.0 + wave2 * width_mm * width_mm);
+    return core_part + skirt * std::polar(1.0, (shift - 1.0) * path);
+  };
+  // The formula's core is that of deep indentations; shallow ones have less.
+  const double shallow =
+      std::exp(-0.8 * spread.optical_thickness * (1.0 + 0.28 * longer_path(cos_sight)));
+  const std::complex<double> removed = shown_with(core), shown = shown_with(shallow);
   const double once = std::exp(-0.5 * wave2 * kSmoothMm * kSmoothMm),
                smoothed = once * (2.0 - once);
-  std::complex<double> left = 1.0 - start;
-  for (int round = 0; round < kRounds; ++round) left *= 1.0 - shown;
-  return smoothed * (1.0 - left);
+  // The first guess is what is seen; each round leaves 1 - removed of what is missing.
+  std::complex<double> left = 1.0;
+  for (int round = 0; round < kRounds; ++round) left *= 1.0 - removed;
+  const std::complex<double> start = std::polar(1.0, path);
+  return smoothed * shown * ((1.0 - left) / removed + left * start);
 }
 
 cv::Mat with_light_spread(const cv::Mat& y, const MappingParameters& mapping,

@@ -12,16 +12,15 @@ namespace alltact {
 namespace {
 
 TEST(RadialProfile, TheSkirtOfADiscIsThatOfBesselFunctions) {
-  // With y within a and nothing outside, (1 + l) q - w^2 laplace q = l within, l = y / (1 - y):
-  // q = y - A I0(k r) within, k^2 = (1 + l) / w^2, and B K0(r / w) outside; both and their slopes
-  // meet at a.
+  // With e within a and nothing outside, q = e - A I0(k r) within, k^2 w^2 (1 - 2.3 e) = 1, and
+  // B K0(r / w) outside; both and their slopes meet at a.
   constexpr double kReach = 12.0, kDisc = 3.0;
   for (const double width : {0.6, 1.5})
-    for (const double y : {0.02, 0.3, 0.6}) {
+    for (const double y : {0.02, 0.15, 0.3}) {
       RadialProfile disc(kReach);
       for (int i = 0; i < RadialProfile::kCount; ++i) disc[i] = disc.radius_mm(i) < kDisc ? y : 0.0;
       const RadialProfile skirt = disc.skirt_lost(width);
-      const double k = std::sqrt(1.0 / (1.0 - y)) / width;
+      const double k = std::sqrt(1.0 / (1.0 - 2.3 * y)) / width;
       const double inside = std::cyl_bessel_i(0, k * kDisc),
                    inside_slope = k * std::cyl_bessel_i(1, k * kDisc),
                    outside = std::cyl_bessel_k(0, kDisc / width),
@@ -34,6 +33,24 @@ TEST(RadialProfile, TheSkirtOfADiscIsThatOfBesselFunctions) {
         EXPECT_NEAR(skirt.at(r), exact, 0.006 * y) << width << ' ' << y << ' ' << r;
       }
     }
+}
+
+TEST(RadialProfile, ABlurredParaboloidSinksByTheCurvatureTimesTheVariance) {
+  // The mean of c - r^2 / 2 R over any round blur of variance s^2 in each direction is lower by
+  // s^2 / R, and the volume stays.
+  RadialProfile cap(6.0);
+  double volume = 0, after = 0;
+  for (int i = 0; i < RadialProfile::kCount; ++i)
+    cap[i] = std::max(0.0, 1.0 - 0.125 * cap.radius_mm(i) * cap.radius_mm(i));
+  for (const double sd : {0.1, 0.25}) {
+    const RadialProfile blurred = cap.blurred(sd);
+    for (const double r : {0.2, 0.6, 1.0})
+      EXPECT_NEAR(blurred.at(r), cap.at(r) - 0.25 * sd * sd, 5e-4) << sd << ' ' << r;
+    volume = after = 0;
+    for (int i = 0; i < RadialProfile::kCount; ++i)
+      volume += cap.radius_mm(i) * cap[i], after += cap.radius_mm(i) * blurred[i];
+    EXPECT_NEAR(after, volume, 1e-4 * volume) << sd;
+  }
 }
 
 TEST(SkinProfile, FollowsTheBallAndLeavesItWithoutACorner) {

@@ -38,7 +38,7 @@ mapping:
   a_mm: 2.5
   b: 1.3
   varies: {along: 0.1, across: -0.05, middle_mm: [20.0, 0.5], half_mm: [15.0, 8.0]}
-  spread: {scattering: 0.7, scattering_sd: 0.1, width_factor: 1.1, b_straight: 1.2, log_b_along: 0.2, middle_mm: 30.0, half_mm: 20.0}
+  spread: {optical_thickness: 0.7, optical_thickness_sd: 0.1, width_factor: 1.1, b_straight: 1.2, log_b_along: 0.2, middle_mm: 30.0, half_mm: 20.0}
   covariance: [[0.0001, 1.0e-05, 0.0, 0.0], [1.0e-05, 0.0002, 0.0, 0.0], [0.0, 0.0, 0.0001, 0.0], [0.0, 0.0, 0.0, 0.0001]]
   method: joint
   presses: [press_000, "12"]

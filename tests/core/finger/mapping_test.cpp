@@ -371,7 +371,7 @@ TEST(Mapping, SpreadOfLightIsRefusedWhereItHasNoMeaning) {
     p.kind = MappingKind::kMoebius;
     p.along = MappingAlong::kNormal;
     p.a_mm = 2.0, p.b = 0.5, p.x_max = 0.5;
-    p.spread.scattering = 0.8;
+    p.spread.optical_thickness = 0.8;
     change(p);
     return Mapping::create(p);
   };
@@ -380,8 +380,8 @@ TEST(Mapping, SpreadOfLightIsRefusedWhereItHasNoMeaning) {
       [](MappingParameters& p) { p.kind = MappingKind::kPolynomial, p.chebyshev = {1.0}; },
       [](MappingParameters& p) { p.along = MappingAlong::kZ; },
       [](MappingParameters& p) { p.b = -1.2; },
-      [](MappingParameters& p) { p.spread.scattering = 3.0; },
-      [](MappingParameters& p) { p.spread.scattering = NAN; },
+      [](MappingParameters& p) { p.spread.optical_thickness = 4.5; },
+      [](MappingParameters& p) { p.spread.optical_thickness = NAN; },
       [](MappingParameters& p) { p.spread.width_factor = 0.1; },
       [](MappingParameters& p) { p.spread.half_mm = 0.0; },
       [](MappingParameters& p) { p.spread.b_straight = INFINITY; },

@@ -73,7 +73,7 @@ TEST(DepthResolution, SmoothingCoarsensIt) {
 
 MappingParameters spreading(double optical) {
   MappingParameters mapping = local_mapping();
-  mapping.spread.scattering = 0.66 * optical;  // as the part of the light that scatters once
+  mapping.spread.optical_thickness = optical;
   mapping.spread.b_straight = mapping.b;
   return mapping;
 }

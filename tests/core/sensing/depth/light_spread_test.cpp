@@ -22,25 +22,22 @@ double within(double r_mm, double width_mm) {
 }
 
 // Paths of light walked backwards through layers over black, sight along the normal: reduced
-// scattering, thickness, the part of the light from within 0.15 and 0.5 mm, and the radius that
-// holds four fifths.
+// scattering, thickness, and the part of the light from within a radius.
 struct Walked {
-  double scattering_per_mm, layer_mm, within_015, within_05, four_fifths_mm;
+  double scattering_per_mm, layer_mm, radius_mm, within;
 };
-constexpr Walked kWalked[] = {{0.4, 1.5, 0.58, 0.65, 1.5},
-                              {0.6, 1.5, 0.49, 0.58, 1.6},
-                              {1.2, 1.5, 0.29, 0.42, 1.7},
-                              {0.6, 2.5, 0.30, 0.36, 3.0}};
+constexpr Walked kWalked[] = {{0.4, 1.5, 0.5, 0.65}, {0.4, 1.5, 1.5, 0.8},  {0.6, 1.5, 0.5, 0.58},
+                              {0.6, 1.5, 1.6, 0.8},  {1.2, 1.5, 0.5, 0.42}, {1.2, 1.5, 1.7, 0.8},
+                              {0.6, 2.5, 3.0, 0.8}};
 
-TEST(LightSpread, WidthFollowsFromTheCoreAsInWalkedPaths) {
+TEST(LightSpread, CoreAndSkirtHoldAsMuchLightAsWalkedPaths) {
   for (const Walked& walked : kWalked) {
     LightSpread spread;
-    spread.scattering = -std::log(walked.within_015);
-    const double core = oblique_spread(spread, 1.0).core;
-    EXPECT_NEAR(core, walked.within_015, 1e-12);
-    const double width_mm = skirt_width_mm(spread, walked.layer_mm);
-    EXPECT_NEAR(core + (1 - core) * within(0.5, width_mm), walked.within_05, 0.04);
-    EXPECT_NEAR(core + (1 - core) * within(walked.four_fifths_mm, width_mm), 0.8, 0.04);
+    spread.optical_thickness = walked.scattering_per_mm * walked.layer_mm;
+    const double core = oblique_spread(spread, 1.0).core,
+                 skirt = within(walked.radius_mm, skirt_width_mm(spread, walked.layer_mm));
+    EXPECT_NEAR(core + (1 - core) * skirt, walked.within, 0.045)
+        << walked.scattering_per_mm << " per mm, " << walked.radius_mm << " mm";
   }
 }
 
@@ -51,7 +48,7 @@ MappingParameters spreading(double scattering, double a_mm, double b) {
   mapping.a_mm = a_mm;
   mapping.b = b;
   mapping.x_max = 0.6;
-  mapping.spread.scattering = scattering;
+  mapping.spread.optical_thickness = scattering;
   mapping.spread.b_straight = b;
   return mapping;
 }
@@ -97,7 +94,7 @@ TEST(LightSpread, RemovalGivesTheDepthOfAWalkedLayer) {
       };
       const Difference before = walked_difference(layer, depth);
       Difference after = before;
-      mapping.spread.scattering = 0.66 * optical;  // as the part of the light that scatters once
+      mapping.spread.optical_thickness = optical;
       mapping.spread.b_straight = mapping.b;
       remove_light_spread(mapping, scene.shape, &after);
       double off_before = 0, off_after = 0;
