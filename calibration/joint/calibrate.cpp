@@ -346,7 +346,7 @@ Result<Calibration> solve_with_spread(const std::vector<Press>& presses,
                                       const std::vector<FoundBall>& found, const Face& face,
                                       const LightSpreadFit& fit, const Job& job,
                                       Calibration calibration) {
-  // Error of the formulas of light_spread.h, of a depth, and common to all presses: 0.02 to 0.14
+  // Error of the formulas of light_spread.h, of a depth, and common to all presses: 0 to 0.2
   // too shallow or too deep on fingers of the effect scatter and of the renderer in tests/foreign.
   constexpr double kFormula = 0.06;
   calibration.mapping = fit.mapping;

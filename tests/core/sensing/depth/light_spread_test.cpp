@@ -41,14 +41,14 @@ TEST(LightSpread, CoreAndSkirtHoldAsMuchLightAsWalkedPaths) {
   }
 }
 
-MappingParameters spreading(double scattering, double a_mm, double b) {
+MappingParameters spreading(double optical_thickness, double a_mm, double b) {
   MappingParameters mapping;
   mapping.kind = MappingKind::kMoebius;
   mapping.along = MappingAlong::kNormal;
   mapping.a_mm = a_mm;
   mapping.b = b;
   mapping.x_max = 0.6;
-  mapping.spread.optical_thickness = scattering;
+  mapping.spread.optical_thickness = optical_thickness;
   mapping.spread.b_straight = b;
   return mapping;
 }
