@@ -86,20 +86,23 @@ double log_volume_left(const Normal& normal) {
 /// How much more probable spread light is than a local one.
 struct Evidence {
   double log_ratio = std::numeric_limits<double>::infinity();
-  double presses = 1;  ///< part of the presses that show it
+  double log_likelihood_ratio = 0;  ///< by the observations, of this
+  double presses = 1;               ///< part of the presses that show it
 };
 
 Evidence evidence_against(const SpreadModel& model, const Normal& local, const Normal& spread) {
   const double presses = static_cast<double>(model.presses().size());
-  Evidence evidence{0.5 * (local.prior_cost - spread.prior_cost) + log_volume_left(spread) -
-                        log_volume_left(local),
-                    0};
+  Evidence evidence;
+  evidence.presses = 0;
   for (std::size_t p = 0; p < model.presses().size(); ++p) {
     const double gained = model.presses()[p].observations * (log_likelihood(spread.mean_square[p]) -
                                                              log_likelihood(local.mean_square[p]));
-    evidence.log_ratio += gained;
+    evidence.log_likelihood_ratio += gained;
     if (gained > 0) evidence.presses += 1.0 / presses;
   }
+  evidence.log_ratio = evidence.log_likelihood_ratio +
+                       0.5 * (local.prior_cost - spread.prior_cost) + log_volume_left(spread) -
+                       log_volume_left(local);
   return evidence;
 }
 
@@ -117,14 +120,13 @@ Evidence evidence_of(const SpreadModel& model, const FittedHypothesis& spread, c
   return least;
 }
 
-bool is_seen(const Evidence& evidence, std::size_t presses) {
-  // 12 to 1. A layer is white because it scatters: 4 to 1 where nearly all presses show it, unless
-  // so few leave the skin's form open.
-  constexpr std::size_t kFewPresses = 3;
-  constexpr double kNearlyAll = 0.7, kMostPresses = 0.5;
-  const bool is_shared = evidence.presses >= kNearlyAll && presses > kFewPresses;
-  return std::isfinite(evidence.log_ratio) && evidence.log_ratio > (is_shared ? 1.5 : 2.5) &&
-         evidence.presses >= kMostPresses;
+bool is_seen(const Evidence& evidence) {
+  // Less is known of local light's curve before: in noise that prior alone would decide for spread
+  // light.
+  constexpr double kLeastByObservations = 1.0, kLeast = 1.5;  // 3 and 4 to 1
+  constexpr double kMostPresses = 0.5;
+  return std::isfinite(evidence.log_ratio) && evidence.log_ratio > kLeast &&
+         evidence.log_likelihood_ratio > kLeastByObservations && evidence.presses >= kMostPresses;
 }
 
 /// The mapping of the presses' mean angle of sight; those of other angles are converted to it.
@@ -213,7 +215,7 @@ std::optional<LightSpreadFit> fit_light_spread(const std::vector<BallStart>& bal
   if (job.stop_requested()) return std::nullopt;
   LightSpreadFit fit;
   fit.log_evidence = evidence.log_ratio;
-  if (!is_seen(evidence, balls.size())) return fit;
+  if (!is_seen(evidence)) return fit;
   const Eigen::Index n = spread->normal.hessian.rows();
   const Eigen::MatrixXd covariance =
       spread->normal.scale() * spread->normal.hessian.ldlt().solve(Eigen::MatrixXd::Identity(n, n));
