@@ -20,7 +20,7 @@ from finger import Finger, draw_finger
 from mirror import mirrored_camera, mirrored_truth
 from render import Renderer
 
-VERSION = 4
+VERSION = 5
 PRESSES = 6
 TESTS = 10
 

@@ -153,9 +153,9 @@ class PencilTest(unittest.TestCase):
         thick, sight = 1.5, self.direction(0.8)
         pencil = Pencil.walk(np.random.default_rng(9), 0.8, 0.01, sight, self.direction(0.9), 2.0, 3000)
         layer = np.full((121, 121), thick)
-        np.testing.assert_allclose(pencil.over(layer), pencil.even(thick), rtol=1e-4)
+        np.testing.assert_allclose(pencil.relative(layer, thick), 1, rtol=1e-4)
         layer[58:63, 58:63] -= 0.3
-        lost = 1 - pencil.over(layer) / pencil.even(thick)
+        lost = 1 - pencil.relative(layer, thick)
         row, column = np.unravel_index(np.argmax(lost), lost.shape)
         aside = (thick - 0.3) * 0.75 / CELL_MM  # tangent of the sight's angle
         self.assertAlmostEqual(float(row), 60, delta=3)
@@ -164,14 +164,23 @@ class PencilTest(unittest.TestCase):
         skirt = float(lost[far > 0.5].sum() / lost.sum())
         self.assertTrue(0.25 < skirt < 0.75, skirt)
 
+    def test_a_shallow_wide_dent_is_as_dark_as_it_must_be(self) -> None:
+        # A thin layer scatters once: a sum over the depth of that.
+        sight, thick, scatter = self.direction(0.7), 1.5, 0.01
+        pencil = Pencil.walk(np.random.default_rng(10), scatter, 0.0, sight, self.direction(0.9), 2.0, 96_000)
+        slant = scatter * (1 / 0.7 + 1 / 0.9)
+        shown = 1 - pencil.relative(np.full((16, 16), 0.9 * thick), thick)
+        wanted = np.exp(-slant * 0.9 * thick) - np.exp(-slant * thick)
+        self.assertAlmostEqual(float(shown.mean()) * (1 - np.exp(-slant * thick)) / wanted, 1.0, delta=0.02)
+
     def test_light_is_lost_beside_the_face(self) -> None:
         pencil = Pencil.walk(
             np.random.default_rng(9), 1.0, 0.01, self.direction(1.0), self.direction(0.9), 2.0, 3000
         )
         layer = np.full((80, 5), 1.5)
         layer[:20] = 0
-        across = pencil.over(layer)[:, 2] / pencil.even(1.5)
-        self.assertEqual(float(across[:20].max()), 0.0)
+        across = pencil.relative(layer, 1.5).mean(axis=1)
+        self.assertAlmostEqual(float(across[:20].max()), 0.0, places=6)
         self.assertTrue(0.4 < across[20] < 0.8, across[20])
         self.assertGreater(float(across[60]), 0.98)
 

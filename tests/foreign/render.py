@@ -131,16 +131,20 @@ class Renderer:
             part[here] = dent.depth_at(point[here][:, 0], point[here][:, 1])
             depth[window] += part
 
-    def _borders(self, s: np.ndarray, w: np.ndarray) -> np.ndarray:
-        """What scattered light loses beside the face's borders, as a share of an endless layer's."""
+    def _untouched(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Brightness over that of an endless layer where nothing presses: places along and across, and the map."""
         rest, scattering = self.finger.rest, self.finger.scattering
         assert scattering is not None
         if self._edges is None:
             along, across = _grid(-0.2, rest.length_mm + 0.2), _grid(-rest.width_mm / 2 - 0.2, rest.width_mm / 2 + 0.2)
-            thick = np.full((len(across), len(along)), rest.layer_mm)
-            shares = scattering.relative(along, _framed(thick, along, across, rest))
-            self._edges = along, across, _to_the_border(shares, along, across, rest)
-        return _looked_up(*self._edges, s, w)
+            thick = _framed(np.full((len(across), len(along)), rest.layer_mm), along, across, rest)
+            self._edges = along, across, scattering.relative(along, across, thick)
+        return self._edges
+
+    def _borders(self, s: np.ndarray, w: np.ndarray) -> np.ndarray:
+        """What scattered light loses beside the face's borders, as a share of an endless layer's."""
+        along, across, shares = self._untouched()
+        return _looked_up(along, across, _to_the_border(shares, along, across, self.finger.rest), s, w)
 
     def _scattered(self, s: np.ndarray, w: np.ndarray, dent: Dent) -> np.ndarray:
         """Brightness of the pressed face over the untouched one."""
@@ -149,14 +153,15 @@ class Renderer:
         along, across = _grid(s.min() - 1, s.max() + 1), _grid(w.min() - 1, w.max() + 1)
         s_grid, w_grid = np.meshgrid(along, across)
         thick = np.full(s_grid.shape, rest.layer_mm)
-        untouched = _framed(thick, along, across, rest)
         point = dent.face.point(s_grid, w_grid)
         here = dent.reaches(point[..., 0], point[..., 1])
         thick[here] = dent.thickness_at(s_grid[here], w_grid[here])
-        pressed = _framed(thick, along, across, rest)
-        before = np.maximum(scattering.relative(along, untouched), 1e-3)
-        shares = _to_the_border(scattering.relative(along, pressed) / before, along, across, rest)
-        return _looked_up(along, across, shares, s, w)
+        pressed = scattering.relative(along, across, _framed(thick, along, across, rest))
+        all_along, all_across, untouched = self._untouched()
+        columns = np.clip(np.rint((along - all_along[0]) / CELL_MM).astype(int), 0, len(all_along) - 1)
+        rows = np.clip(np.rint((across - all_across[0]) / CELL_MM).astype(int), 0, len(all_across) - 1)
+        before = np.maximum(untouched[np.ix_(rows, columns)], 1e-3)
+        return _looked_up(along, across, _to_the_border(pressed / before, along, across, rest), s, w)
 
     def _truth(
         self,
