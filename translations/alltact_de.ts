@@ -8616,6 +8616,14 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>mehr Eindrücke verschiedener Tiefe, oder ein kleinerer Grad</translation>
     </message>
     <message>
+        <source>the balls would be {} mm deep in a layer of {} mm</source>
+        <translation>die Kugeln lägen {} mm tief in einer {} mm dicken Schicht</translation>
+    </message>
+    <message>
+        <source>checking the layer&apos;s thickness and the ball&apos;s radius, or more presses</source>
+        <translation>die Dicke der Schicht und den Radius der Kugel prüfen, oder mehr Eindrücke</translation>
+    </message>
+    <message>
         <source>one press cannot separate the ball&apos;s depth from the mapping: add presses of different depth at other positions</source>
         <translation>ein Eindruck kann die Tiefe der Kugel nicht von der Abbildung trennen: Eindrücke verschiedener Tiefe an anderen Stellen hinzufügen</translation>
     </message>

@@ -8576,6 +8576,14 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>增加不同深度的按压，或降低次数</translation>
     </message>
     <message>
+        <source>the balls would be {} mm deep in a layer of {} mm</source>
+        <translation>球将压入 {} mm，而层厚只有 {} mm</translation>
+    </message>
+    <message>
+        <source>checking the layer&apos;s thickness and the ball&apos;s radius, or more presses</source>
+        <translation>检查层厚和球半径，或增加按压</translation>
+    </message>
+    <message>
         <source>one press cannot separate the ball&apos;s depth from the mapping: add presses of different depth at other positions</source>
         <translation>一次按压无法区分球的深度与映射：请在其他位置增加不同深度的按压</translation>
     </message>

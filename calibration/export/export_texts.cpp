@@ -103,7 +103,8 @@ Json mapping_json(const Mapping& mapping, const std::optional<MappingRecord>& re
          "m = 1 / cos(sight to normal) - 1, t = optical_thickness: core = exp(-0.68 t^0.78 (1 + "
          "0.28 m)), width = width_factor 0.8 layer / t^0.4, "
          "s = 0.43 - 0.066 t; d = T (1 + b) y / (1 + b y) with T = a_mm / (1 + b of M), "
-         "b = b_straight (1 + 1.5 m) exp(log_b_along (along - middle) / half); then y is replaced "
+         "b = ((1 + b_straight) exp(0.8 t exp(-0.35 t) m) - 1) exp(log_b_along (along - middle) / "
+         "half); then y is replaced "
          "by that of the same depth on M"},
         {"optical_thickness", spread.optical_thickness},
         {"optical_thickness_sd", spread.optical_thickness_sd},

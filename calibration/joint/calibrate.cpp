@@ -449,6 +449,16 @@ JointFit fit_finely(std::vector<FoundBall>& found, const ModelChoice& choice, co
   return with_outlines.converged ? with_outlines : fit;
 }
 
+/// Set where the balls would be deeper on average than the layer is thick, with a tenth for errors
+/// of both: the brightness of these presses follows no curve.
+std::optional<Error> beyond_layer(const std::vector<BallFit>& balls, const Face& face) {
+  const double depth_mm = mean_of(balls, &BallFit::indentation_mm);
+  if (!(depth_mm > 1.1 * face.layer_mm)) return std::nullopt;
+  return Error{
+      en::say("the balls would be {:.2f} mm deep in a layer of {:.2f} mm", depth_mm, face.layer_mm),
+      "", en::say("checking the layer's thickness and the ball's radius, or more presses")};
+}
+
 Result<Calibration> solve_jointly(const std::vector<Press>& presses, std::vector<FoundBall> found,
                                   const Face& face, const CalibrationSettings& settings,
                                   const Job& job, const RoundListener& on_round,
@@ -517,6 +527,7 @@ Result<Calibration> solve_jointly(const std::vector<Press>& presses, std::vector
   if (!job.stop_requested())
     calibration.next_press = advise(coarse.presses, fit, choice->options, face_length_mm(found));
   calibration.balls = balls_of(found, *choice, fit, covariance, job);
+  if (const auto impossible = beyond_layer(calibration.balls, face)) return *impossible;
   calibration.steps = steps_of(steps, fit.curve, choice->options.along);
   calibration.residual_mm = mean_of(calibration.balls, &BallFit::residual_mm);
   calibration.held_out_mm = mean_of(calibration.balls, &BallFit::held_out_mm);

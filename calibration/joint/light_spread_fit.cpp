@@ -139,19 +139,28 @@ MappingParameters mapping_of(const SpreadModel& model, const FitState& state,
   mapping.spread.optical_thickness_sd =
       mapping.spread.optical_thickness *
       std::sqrt(std::max(0.0, covariance(kLogOpticalThickness, kLogOpticalThickness)));
-  double b_factor = 0;
-  for (std::size_t p = 0; p < model.presses().size(); ++p) {
-    const SpreadSample& nearest = model.presses()[p].nearest_to(state.own[p].head<2>());
-    b_factor += oblique_spread(mapping.spread, nearest.cos_sight).b_factor /
-                static_cast<double>(model.presses().size());
-  }
-  mapping.b = mapping.spread.b_straight * b_factor;
+  const auto b_by = [&](const Eigen::VectorXd& shared) {
+    const LightSpread spread = model.spread_by(shared);
+    double b_factor = 0;
+    for (std::size_t p = 0; p < model.presses().size(); ++p) {
+      const SpreadSample& nearest = model.presses()[p].nearest_to(state.own[p].head<2>());
+      b_factor += oblique_spread(spread, nearest.cos_sight).b_factor /
+                  static_cast<double>(model.presses().size());
+    }
+    return (1.0 + spread.b_straight) * b_factor - 1.0;
+  };
+  mapping.b = b_by(state.shared);
   const double thickness_mm = std::exp(state.shared[kLogRho]) * model.layer_mm();
   mapping.a_mm = thickness_mm * (1.0 + mapping.b);
   Eigen::MatrixXd by_stored = Eigen::MatrixXd::Zero(2, covariance.rows());
   by_stored(0, kLogRho) = mapping.a_mm;
-  by_stored(0, kLogB) = thickness_mm * mapping.b;
-  by_stored(1, kLogB) = mapping.b;
+  for (const Shared unknown : {kLogB, kLogOpticalThickness}) {
+    constexpr double kStep = 1e-4;
+    Eigen::VectorXd moved = state.shared;
+    moved[unknown] += kStep;
+    by_stored(1, unknown) = (b_by(moved) - mapping.b) / kStep;
+    by_stored(0, unknown) = thickness_mm * by_stored(1, unknown);
+  }
   const Eigen::MatrixXd stored = by_stored * covariance * by_stored.transpose();
   mapping.covariance = 0.5 * (stored + stored.transpose());
   return mapping;

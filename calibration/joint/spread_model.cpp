@@ -125,8 +125,8 @@ UnknownPrior prior_of(int shared, Hypothesis hypothesis) {
       return {std::log(0.97), 0.5};
     case kLogB:
       return {0.0, 1.5};
-    case kLogBAlong:
-      return {0.0, 0.4};
+    case kLogBAlong:  // of spread light: what the lamps do otherwise than light_spread.h has it
+      return {0.0, hypothesis.seen == SeenAt::kSpread ? 0.2 : 0.4};
     case kLogReturn:
       return is_half_space ? UnknownPrior{std::log(kTypicalFadeMm), 2.0}
                            : UnknownPrior{std::log(kTypicalLiftMm), 1.0};
@@ -146,17 +146,38 @@ UnknownPrior prior_of(int shared, Hypothesis hypothesis) {
 }
 
 CurvePrior rho_prior(double optical_thickness) {
-  constexpr double kBlack = 0.97, kFormulaSd = 0.025;
+  constexpr double kFormulaSd = 0.025;
   constexpr double kCoat = 0.01, kCoatSd = 0.015;  // part of the light that the outside gives back
+  const double black = 0.98 - 0.016 * optical_thickness;
   const double by_coat = 2.0 / std::pow(optical_thickness, 1.3);
   const double coat_sd = by_coat * kCoatSd, sd = std::hypot(kFormulaSd, coat_sd);
-  return {std::log(kBlack) + by_coat * kCoat, -1.3 * by_coat * kCoat, sd,
+  return {std::log(black) + by_coat * kCoat,
+          -0.016 * optical_thickness / black - 1.3 * by_coat * kCoat, sd,
           -1.3 * coat_sd * coat_sd / sd};
 }
 
 CurvePrior b_prior(double optical_thickness) {
-  // For light at 53 degrees; about twice or half of that for 65 or 25 degrees.
-  return {std::log(0.42) + 1.35 * std::log(optical_thickness), 1.35, 0.55, 0.0};
+  constexpr double kAbsorbed = 0.01, kAbsorbedSd = 0.01;
+  // 1 / cos of the light less 1, where sight is along the normal: lamps stand beside the camera.
+  constexpr double kLonger = 0.15, kLongerSd = 0.25;
+  constexpr double kLeast = 0.02;  // thin layers' b may be below 0
+  const auto log_b = [](double t, double* sd) {
+    const double by_light = 0.47 * t * std::exp(-0.35 * t), by_absorbed = 2.7 * std::pow(t, 1.5);
+    const double b =
+        std::expm1(0.248 * std::pow(t, 1.05) - 0.08 + kLonger * by_light + kAbsorbed * by_absorbed);
+    const double smooth = 0.5 * (b + std::hypot(b, 2.0 * kLeast));
+    *sd = std::hypot(kLongerSd * by_light, kAbsorbedSd * by_absorbed) * (1.0 + smooth) / smooth;
+    return std::log(smooth);
+  };
+  constexpr double kStep = 1e-3;  // of the logarithm of t
+  CurvePrior prior{};
+  double sd_up = 0, sd_down = 0;
+  const double up = log_b(optical_thickness * std::exp(kStep), &sd_up),
+               down = log_b(optical_thickness * std::exp(-kStep), &sd_down);
+  prior.mean = log_b(optical_thickness, &prior.sd);
+  prior.mean_by_log = 0.5 * (up - down) / kStep;
+  prior.sd_by_log = 0.5 * (sd_up - sd_down) / kStep;
+  return prior;
 }
 
 SpreadModel::SpreadModel(std::vector<SpreadPress> presses, double layer_mm)

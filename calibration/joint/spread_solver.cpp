@@ -123,11 +123,13 @@ void SpreadSolver::add_priors(const Eigen::VectorXd& shared, Normal* normal) con
     normal->gradient.head(shared_) += z * by;
     hessian += by * by.transpose();
   };
+  const bool is_spread = hypothesis_.seen == SeenAt::kSpread && shared_ > 0;
   for (int i = 0; i < shared_; ++i) {
+    if (is_spread && (i == kLogRho || i == kLogB)) continue;
     const UnknownPrior prior = prior_of(i, hypothesis_);
     add((shared[i] - prior.mean) / prior.sd, Eigen::VectorXd::Unit(shared_, i) / prior.sd);
   }
-  if (hypothesis_.seen == SeenAt::kSpread && shared_ > 0) {
+  if (is_spread) {
     const double optical_thickness = std::exp(shared[kLogOpticalThickness]);
     const auto add_curve = [&](int unknown, const CurvePrior& prior) {
       const double z = (shared[unknown] - prior.mean) / prior.sd;

@@ -25,13 +25,13 @@ double longer_path(double cos_sight) {
 ObliqueSpread oblique_spread(const LightSpread& spread, double cos_sight) {
   const double t = spread.optical_thickness, longer = longer_path(cos_sight);
   return {std::exp(-0.68 * std::pow(t, 0.78) * (1.0 + 0.28 * longer)), 0.43 - 0.066 * t,
-          1.0 + 1.5 * longer};
+          std::exp(0.8 * t * std::exp(-0.35 * t) * longer)};
 }
 
 double b_at(const LightSpread& spread, double along_mm, double cos_sight) {
   const double unit = std::clamp((along_mm - spread.middle_mm) / spread.half_mm, -1.0, 1.0);
-  return spread.b_straight * oblique_spread(spread, cos_sight).b_factor *
-         std::exp(spread.log_b_along * unit);
+  const double b = (1.0 + spread.b_straight) * oblique_spread(spread, cos_sight).b_factor - 1.0;
+  return b * std::exp(spread.log_b_along * unit);
 }
 
 double skirt_width_mm(const LightSpread& spread, double layer_mm) {
