@@ -100,7 +100,7 @@ Json mapping_json(const Mapping& mapping, const std::optional<MappingRecord>& re
          "sight meets the layer's untouched outer side, c the part of that way on which it first "
          "meets the skin, c = 1 - d / layer with d the depth there, "
          "q - width^2 max(0.2, 1 - 2.3 e) laplace q = e, e = (1 - core) y, "
-         "m = 1 / cos(sight to normal) - 1, t = optical_thickness: core = exp(-0.68 t^0.78 (1 + "
+         "m = 1 / cos(sight to normal) - 1, t = optical_thickness: core = exp(-0.74 t^0.78 (1 + "
          "0.28 m)), width = width_factor 0.8 layer / t^0.4, "
          "s = 0.43 - 0.066 t; d = T (1 + b) y / (1 + b y) with T = a_mm / (1 + b of M), "
          "b = ((1 + b_straight) exp(0.8 t exp(-0.35 t) m) - 1) exp(log_b_along (along - middle) / "

@@ -158,7 +158,7 @@ CurvePrior rho_prior(double optical_thickness) {
 
 CurvePrior b_prior(double optical_thickness) {
   constexpr double kAbsorbed = 0.01, kAbsorbedSd = 0.01;
-  // 1 / cos of the light less 1, where sight is along the normal: lamps stand beside the camera.
+  // 1 / cos of the light less 1, where sight is along the normal: lamps stand next to the camera.
   constexpr double kLonger = 0.15, kLongerSd = 0.25;
   constexpr double kLeast = 0.02;  // thin layers' b may be below 0
   const auto log_b = [](double t, double* sd) {

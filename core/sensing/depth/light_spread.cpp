@@ -24,7 +24,7 @@ double longer_path(double cos_sight) {
 
 ObliqueSpread oblique_spread(const LightSpread& spread, double cos_sight) {
   const double t = spread.optical_thickness, longer = longer_path(cos_sight);
-  return {std::exp(-0.68 * std::pow(t, 0.78) * (1.0 + 0.28 * longer)), 0.43 - 0.066 * t,
+  return {std::exp(-0.74 * std::pow(t, 0.78) * (1.0 + 0.28 * longer)), 0.43 - 0.066 * t,
           std::exp(0.8 * t * std::exp(-0.35 * t) * longer)};
 }
 
