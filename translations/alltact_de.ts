@@ -8616,8 +8616,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>mehr Eindrücke verschiedener Tiefe, oder ein kleinerer Grad</translation>
     </message>
     <message>
-        <source>the balls would be {} mm deep in a layer of {} mm</source>
-        <translation>die Kugeln lägen {} mm tief in einer {} mm dicken Schicht</translation>
+        <source>the balls would be {:.2f} mm deep in a layer of {:.2f} mm</source>
+        <translation>die Kugeln lägen {:.2f} mm tief in einer {:.2f} mm dicken Schicht</translation>
     </message>
     <message>
         <source>checking the layer&apos;s thickness and the ball&apos;s radius, or more presses</source>

@@ -8576,8 +8576,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>增加不同深度的按压，或降低次数</translation>
     </message>
     <message>
-        <source>the balls would be {} mm deep in a layer of {} mm</source>
-        <translation>球将压入 {} mm，而层厚只有 {} mm</translation>
+        <source>the balls would be {:.2f} mm deep in a layer of {:.2f} mm</source>
+        <translation>球将压入 {:.2f} mm，而层厚只有 {:.2f} mm</translation>
     </message>
     <message>
         <source>checking the layer&apos;s thickness and the ball&apos;s radius, or more presses</source>

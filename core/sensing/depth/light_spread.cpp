@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <vector>
 
 #include <opencv2/imgproc.hpp>
@@ -82,7 +81,7 @@ constexpr double kCellMm = 0.16;
 // The rounds raise noise, which is smoothed before. A kernel without variance (twicing) retains
 // detail down to about this size.
 constexpr double kSmoothMm = 0.4;
-constexpr int kRounds = 6;
+constexpr int kRounds = 6;  // twice as many recover no more than they raise of the noise
 constexpr int kRoundsFromNothing = 40;
 
 /// The skirt's light on a face: q, on a grid of half as many rows and columns.
@@ -145,19 +144,9 @@ class SpreadOnFace {
   SpreadOnFace(const UnrolledFace& face, const MappingParameters& mapping, double layer_mm)
       : middle_row_(static_cast<float>(face.middle_row())),
         layer_mm_(static_cast<float>(layer_mm)),
-        thickness_mm_(static_cast<float>(thickness_of(mapping))) {
-    std::vector<float> core;
-    for (int i = 0; i < face.size().width; ++i) {
-      const UnrolledFace::Sight& sight = face.sight(i);
-      const ObliqueSpread oblique = oblique_spread(mapping.spread, sight.cos_sight);
-      columns_.push_back(
-          {static_cast<float>(sight.along), static_cast<float>(sight.across),
-           static_cast<float>(sight.across_slope), static_cast<float>(oblique.core),
-           static_cast<float>(oblique.skirt_shift),
-           static_cast<float>(b_at(mapping.spread, face.along_mm(i), sight.cos_sight))});
-      core.push_back(columns_.back().core);
-    }
-    skirt_.emplace(face, skirt_width_mm(mapping.spread, layer_mm), core);
+        thickness_mm_(static_cast<float>(thickness_of(mapping))),
+        columns_(columns_of(face, mapping)),
+        skirt_(face, skirt_width_mm(mapping.spread, layer_mm), cores_of(columns_)) {
     tabulate_seeing();
   }
 
@@ -175,9 +164,9 @@ class SpreadOnFace {
   [[nodiscard]] Undone undo(const cv::Mat& x) {
     Undone undone{x.clone(), cv::Mat(x.size(), CV_32FC1)};
     cv::Mat next(x.size(), CV_32FC1);
-    skirt_->approach(x, 3);
+    skirt_.approach(x, 3);
     for (int round = 0; round < kRounds; ++round) {
-      if (round > 0) skirt_->approach(undone.y, 1);
+      if (round > 0) skirt_.approach(undone.y, 1);
       for (int row = 0; row < x.rows; ++row) {
         const float* y = undone.y.ptr<float>(row);
         float *seen_x = undone.seen_x.ptr<float>(row), *y_next = next.ptr<float>(row);
@@ -200,7 +189,7 @@ class SpreadOnFace {
         depths.at<float>(row, column) = depth_part(y.at<float>(row, column), column);
     double deepest = 0;
     cv::minMaxLoc(depths, nullptr, &deepest);
-    skirt_->approach(y, kRoundsFromNothing);
+    skirt_.approach(y, kRoundsFromNothing);
     for (int row = 0; row < y.rows; ++row)
       for (int column = 0; column < y.cols; ++column) {
         const Column& here = columns_[index(column)];
@@ -238,6 +227,26 @@ class SpreadOnFace {
     float column, row;
     const Column* at;
   };
+
+  static std::vector<Column> columns_of(const UnrolledFace& face,
+                                        const MappingParameters& mapping) {
+    std::vector<Column> columns;
+    for (int i = 0; i < face.size().width; ++i) {
+      const UnrolledFace::Sight& sight = face.sight(i);
+      const ObliqueSpread oblique = oblique_spread(mapping.spread, sight.cos_sight);
+      columns.push_back(
+          {static_cast<float>(sight.along), static_cast<float>(sight.across),
+           static_cast<float>(sight.across_slope), static_cast<float>(oblique.core),
+           static_cast<float>(oblique.skirt_shift),
+           static_cast<float>(b_at(mapping.spread, face.along_mm(i), sight.cos_sight))});
+    }
+    return columns;
+  }
+  static std::vector<float> cores_of(const std::vector<Column>& columns) {
+    std::vector<float> cores;
+    for (const Column& column : columns) cores.push_back(column.core);
+    return cores;
+  }
 
   static std::size_t index(int column) { return static_cast<std::size_t>(column); }
   [[nodiscard]] float across_of(const Column& column, float row) const {
@@ -285,15 +294,15 @@ class SpreadOnFace {
   /// x of a pixel whose core shows y.
   [[nodiscard]] float seen(float y, const Pixel& pixel) const {
     const Column& sight = *pixel.at;
-    const float q = skirt_->at(pixel.column + sight.skirt_shift * sight.along,
-                               pixel.row + sight.skirt_shift * across_of(sight, pixel.row));
+    const float q = skirt_.at(pixel.column + sight.skirt_shift * sight.along,
+                              pixel.row + sight.skirt_shift * across_of(sight, pixel.row));
     return static_cast<float>(seen_difference(static_cast<double>(y), static_cast<double>(q),
                                               static_cast<double>(sight.core)));
   }
 
   float middle_row_, layer_mm_, thickness_mm_;
-  std::optional<SkirtLight> skirt_;
   std::vector<Column> columns_;
+  SkirtLight skirt_;
   std::vector<float> seeing_;  // column of the pixel that sees a column, by column and part
 };
 

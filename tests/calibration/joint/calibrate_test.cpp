@@ -212,6 +212,25 @@ TEST(Calibrate, UnevenLightIsSeenAndAnsweredAndEvenLightIsLeftAlone) {
   }
 }
 
+TEST(Calibrate, BallsDeeperThanTheLayerAreNoCalibration) {
+  std::mt19937 random(7);
+  const MadeScene scene = flat_scene();
+  std::vector<Press> presses;
+  for (int i = 0; i < 4; ++i)
+    presses.push_back(make_press(scene, {0.6, 0.02}, {Skin::kHertz},
+                                 {Ball{140.0 + 30.0 * i, 120.0 + 16.0 * i, 4.0, 0.7 + 0.08 * i}},
+                                 1.0, random, fmt::format("p{}", i))
+                          .press);
+  Face thin = scene.face;
+  thin.layer_mm = 0.5;
+  CalibrationSettings settings;
+  settings.light_spread = LightSpreadChoice::kLocal;
+  const auto done = calibrate(presses, scene.camera, thin, settings, Job{});
+  ASSERT_FALSE(done.ok());
+  EXPECT_NE(done.error().sentence().find("deep in a layer of 0.50 mm"), std::string::npos)
+      << done.error().sentence();
+}
+
 TEST(Calibrate, OrderOfPressesDoesNotMatter) {
   std::mt19937 random(25);
   std::vector<Press> presses = flat_presses({0.7, 0.01}, {Skin::kSmooth, 0.1, 0}, 4, random);

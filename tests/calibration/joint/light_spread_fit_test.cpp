@@ -1,6 +1,7 @@
 #include "calibration/joint/light_spread_fit.h"
 
 #include "calibration/joint/calibrate.h"
+#include "calibration/joint/spread_model.h"
 #include "tests/support/made_press.h"
 #include "tests/support/walked_layer.h"
 
@@ -146,6 +147,40 @@ TEST(LightSpreadFit, LocalLightIsNotTakenForSpreadWhateverTheSkinDoes) {
     EXPECT_FALSE(fit->is_seen) << "skin " << static_cast<int>(contact.skin) << ' ' << contact.size
                                << ' ' << contact.bulge_mm << ": " << fit->log_evidence;
   }
+}
+
+// Solved like the table in light_spread_test.cpp, sight along the normal: rho and b where lamps are
+// near the camera and 1 % is absorbed, b where light is along the normal and nothing is absorbed,
+// and b for light at 44 degrees with 2 %.
+struct SolvedCurve {
+  double optical_thickness, rho, b, least_b, most_b;
+};
+constexpr SolvedCurve kSolvedCurves[] = {{0.6, 0.973, 0.112, 0.064, 0.190},
+                                         {1.2, 0.962, 0.366, 0.256, 0.543},
+                                         {2.0, 0.948, 0.797, 0.566, 1.160},
+                                         {3.0, 0.931, 1.486, 1.016, 2.208}};
+
+TEST(LightSpreadFit, PriorsOfTheCurveHoldWhatTheEquationOfTransferGives) {
+  for (const SolvedCurve& solved : kSolvedCurves) {
+    const CurvePrior rho = rho_prior(solved.optical_thickness),
+                     b = b_prior(solved.optical_thickness);
+    EXPECT_LT(std::abs(std::log(solved.rho) - rho.mean), rho.sd) << solved.optical_thickness;
+    EXPECT_NEAR(std::exp(b.mean) / solved.b, 1.0, 0.15) << solved.optical_thickness;
+    for (const double other : {solved.least_b, solved.most_b})
+      EXPECT_LT(std::abs(std::log(other) - b.mean), 1.5 * b.sd) << solved.optical_thickness;
+  }
+}
+
+TEST(LightSpreadFit, PriorsOfTheCurveHaveTheDerivativesOfDifferences) {
+  constexpr double kStep = 1e-4;
+  for (const double optical_thickness : {0.2, 0.7, 1.5, 3.0})
+    for (const auto& prior : {rho_prior, b_prior}) {
+      const CurvePrior here = prior(optical_thickness),
+                       up = prior(optical_thickness * std::exp(kStep)),
+                       down = prior(optical_thickness * std::exp(-kStep));
+      EXPECT_NEAR(here.mean_by_log, 0.5 * (up.mean - down.mean) / kStep, 1e-4);
+      EXPECT_NEAR(here.sd_by_log, 0.5 * (up.sd - down.sd) / kStep, 1e-4);
+    }
 }
 
 }  // namespace
