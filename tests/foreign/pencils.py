@@ -54,10 +54,12 @@ class Paths:
     def over(self, wide_mm: np.ndarray, rows: np.ndarray, columns: np.ndarray) -> np.ndarray:
         """The same at cells of a map of thickness."""
         beyond = self._beyond(float(wide_mm.min()))
+        if not beyond:
+            return np.full((len(rows), len(columns)), self._all)
         cells = (rows[:, None] * wide_mm.shape[1] + columns[None, :]).reshape(-1)
         flat, lost = wide_mm.reshape(-1), np.zeros(len(cells))
-        at_once = max(16, 100_000 // max(1, len(beyond[0]) if beyond else 1))  # stays in the processor's cache
-        for begin in range(0, len(cells) if beyond else 0, at_once):
+        at_once = max(16, 100_000 // len(beyond[0]))  # stays in the processor's cache
+        for begin in range(0, len(cells), at_once):
             part = cells[begin : begin + at_once]
             most = np.zeros((len(beyond[0]), len(part)), np.float32)  # what a path loses: from its first vertex outside
             for nth in beyond:

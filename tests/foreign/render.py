@@ -138,13 +138,13 @@ class Renderer:
         if self._edges is None:
             along, across = _grid(-0.2, rest.length_mm + 0.2), _grid(-rest.width_mm / 2 - 0.2, rest.width_mm / 2 + 0.2)
             thick = _framed(np.full((len(across), len(along)), rest.layer_mm), along, across, rest)
-            self._edges = along, across, scattering.relative(along, across, thick)
+            shares = scattering.relative(along, across, thick)
+            self._edges = along, across, _to_the_border(shares, along, across, rest)
         return self._edges
 
     def _borders(self, s: np.ndarray, w: np.ndarray) -> np.ndarray:
         """What scattered light loses beside the face's borders, as a share of an endless layer's."""
-        along, across, shares = self._untouched()
-        return _looked_up(along, across, _to_the_border(shares, along, across, self.finger.rest), s, w)
+        return _looked_up(*self._untouched(), s, w)
 
     def _scattered(self, s: np.ndarray, w: np.ndarray, dent: Dent) -> np.ndarray:
         """Brightness of the pressed face over the untouched one."""
