@@ -1,6 +1,7 @@
 #include "core/sensing/depth/light_spread.h"
 
 #include "core/numerics/image_noise.h"
+#include "core/numerics/median.h"
 #include "core/sensing/depth/unrolled_face.h"
 
 #include <algorithm>
@@ -40,35 +41,41 @@ double skirt_width_mm(const LightSpread& spread, double layer_mm) {
                                   std::pow(std::max(spread.optical_thickness, 1e-6), 0.4));
 }
 
-double seen_difference(double y, double q, double core) {
-  constexpr double kMost = 0.95;  // the core's pole is not reached
-  const double limited = std::min(y, kMost);
-  return 1.0 - (1.0 - limited) / (1.0 - (1.0 - core) * limited) * (1.0 - q);
-}
-
-double skirt_narrowing(double lost_even) {
-  constexpr double kLeast = 0.2;
-  return std::max(kLeast, 1.0 - 2.3 * lost_even);
-}
-
 namespace {
+
+// In single precision for every frame's cells, in double precision for fits.
+
+template <class Real>
+Real seen(Real y, Real q, Real core) {
+  const Real limited = std::min(y, Real(0.95));  // the core's pole is not reached
+  return 1 - (1 - limited) / (1 - (1 - core) * limited) * (1 - q);
+}
 
 constexpr double kLeastDenominator = 0.1;  // the curves' poles are not reached
 
 /// Depth of an even layer on the curve of thickness rho T, mm.
-double depth_on_curve(double y, double b, double thickness_mm) {
-  return thickness_mm * (1.0 + b) * y / std::max(kLeastDenominator, 1.0 + b * y);
+template <class Real>
+Real depth_on_curve(Real y, Real b, Real thickness_mm) {
+  return thickness_mm * (1 + b) * y / std::max(Real(kLeastDenominator), 1 + b * y);
 }
 
-double difference_at_depth(double depth_mm, double b, double thickness_mm) {
-  const double full = thickness_mm * (1.0 + b);
-  return depth_mm / std::max(kLeastDenominator * full, full - b * depth_mm);
+template <class Real>
+Real difference_at_depth(Real depth_mm, Real b, Real thickness_mm) {
+  const Real full = thickness_mm * (1 + b);
+  return depth_mm / std::max(Real(kLeastDenominator) * full, full - b * depth_mm);
 }
 
 /// rho T of a mapping.
 double thickness_of(const MappingParameters& mapping) { return mapping.a_mm / (1.0 + mapping.b); }
 
 }  // namespace
+
+double seen_difference(double y, double q, double core) { return seen(y, q, core); }
+
+double skirt_narrowing(double lost_even) {
+  constexpr double kLeast = 0.2;
+  return std::max(kLeast, 1.0 - 2.3 * lost_even);
+}
 
 double difference_on_curve(double x, double b_here, const MappingParameters& mapping) {
   const double thickness_mm = thickness_of(mapping);
@@ -111,7 +118,7 @@ class SkirtLight {
       float *e = even.ptr<float>(j), *here = r.ptr<float>(j);
       for (int i = 0; i < size_.width; ++i) {
         e[i] = around_[static_cast<std::size_t>(i)] * std::clamp(e[i], kLeast, kMost);
-        here[i] = static_cast<float>(1.0 / skirt_narrowing(static_cast<double>(e[i])));
+        here[i] = 1.0F / static_cast<float>(skirt_narrowing(static_cast<double>(e[i])));
       }
     }
     double least = 0, most = 0;
@@ -138,6 +145,11 @@ class SkirtLight {
   std::vector<float> around_;  // 1 - core, by columns
 };
 
+/// y of each cell, and the x at the pixel whose core it is.
+struct Cells {
+  cv::Mat y, seen_x;
+};
+
 /// What spread light makes of a face, and back. In single precision, as it is done for every frame.
 class SpreadOnFace {
  public:
@@ -153,16 +165,10 @@ class SpreadOnFace {
   [[nodiscard]] double b(int column) const {
     return static_cast<double>(columns_[index(column)].b);
   }
-  [[nodiscard]] double core(int column) const {
-    return static_cast<double>(columns_[index(column)].core);
-  }
 
-  /// y of each cell, and the x at the pixel whose core it is; from x by cells.
-  struct Undone {
-    cv::Mat y, seen_x;
-  };
-  [[nodiscard]] Undone undo(const cv::Mat& x) {
-    Undone undone{x.clone(), cv::Mat(x.size(), CV_32FC1)};
+  /// From x by cells.
+  [[nodiscard]] Cells undo(const cv::Mat& x) {
+    Cells undone{x.clone(), cv::Mat(x.size(), CV_32FC1)};
     cv::Mat next(x.size(), CV_32FC1);
     skirt_.approach(x, 3);
     for (int round = 0; round < kRounds; ++round) {
@@ -254,10 +260,7 @@ class SpreadOnFace {
   }
   /// Depth as a part of the layer.
   [[nodiscard]] float depth_part(float y, int column) const {
-    const float b = columns_[index(column)].b;
-    return static_cast<float>(depth_on_curve(static_cast<double>(y), static_cast<double>(b),
-                                             static_cast<double>(thickness_mm_)) /
-                              static_cast<double>(layer_mm_));
+    return depth_on_curve(y, columns_[index(column)].b, thickness_mm_) / layer_mm_;
   }
   [[nodiscard]] const Column& nearest(float column) const {
     const float last = static_cast<float>(columns_.size()) - 1.0F;
@@ -296,8 +299,7 @@ class SpreadOnFace {
     const Column& sight = *pixel.at;
     const float q = skirt_.at(pixel.column + sight.skirt_shift * sight.along,
                               pixel.row + sight.skirt_shift * across_of(sight, pixel.row));
-    return static_cast<float>(seen_difference(static_cast<double>(y), static_cast<double>(q),
-                                              static_cast<double>(sight.core)));
+    return alltact::seen(y, q, sight.core);
   }
 
   float middle_row_, layer_mm_, thickness_mm_;
@@ -317,6 +319,134 @@ void smooth(const UnrolledFace& face, cv::Mat* cells) {
   *cells = 2 * once - twice;
 }
 
+// Where nothing has changed, there is no spread light to remove. Searched for in blocks of cells.
+
+constexpr int kSearchBlock = 8;
+
+/// Noise of smoothed cells from column `first` on: second differences over more than the smoothing,
+/// without the few that contacts enlarge.
+float noise_of(const cv::Mat& cells, int first, int columns) {
+  constexpr int kApart = 8;
+  std::vector<float> bends;
+  for (int j = 2 * kApart; j < cells.rows; j += 2)
+    for (int i = first; i < std::min(first + columns, cells.cols); i += 4)
+      bends.push_back(std::abs(cells.at<float>(j, i) - 2 * cells.at<float>(j - kApart, i) +
+                               cells.at<float>(j - 2 * kApart, i)));
+  constexpr float kMedianToSd = 1.4826F;
+  return bends.empty() ? 0.0F : kMedianToSd * upper_median(bends) / std::sqrt(6.0F);
+}
+
+/// 255 for blocks in which smoothed differences exceed noise. `measured`: as
+/// UnrolledFace::from_pixels; next to other cells noise is larger.
+cv::Mat changed_blocks(const cv::Mat& cells, const cv::Mat& measured) {
+  // Below the least nothing shows that removal could sharpen; above the most no noise is.
+  constexpr float kLeast = 0.004F, kMost = 0.02F, kNoises = 5.0F;
+  constexpr int kColumns = 4 * kSearchBlock;
+  cv::Mat inside;
+  cv::erode(measured, inside, cv::Mat::ones(7, 7, CV_8UC1), {-1, -1}, 1, cv::BORDER_CONSTANT,
+            cv::Scalar(0));
+  cv::Mat blocks = cv::Mat::zeros((cells.rows + kSearchBlock - 1) / kSearchBlock,
+                                  (cells.cols + kSearchBlock - 1) / kSearchBlock, CV_8UC1);
+  for (int first = 0; first < cells.cols; first += kColumns) {
+    const float limit = std::clamp(kNoises * noise_of(cells, first, kColumns), kLeast, kMost);
+    for (int j = 0; j < cells.rows; ++j) {
+      const auto* is_inside = inside.ptr<std::uint8_t>(j);
+      const float* row = cells.ptr<float>(j);
+      auto* of_blocks = blocks.ptr<std::uint8_t>(j / kSearchBlock);
+      for (int i = first; i < std::min(first + kColumns, cells.cols); ++i)
+        if (std::abs(row[i]) > limit && is_inside[i] != 0) of_blocks[i / kSearchBlock] = 255;
+    }
+  }
+  return blocks;
+}
+
+/// Cells `first` to `end` and more around them, of `all`: an even number that transforms quickly.
+cv::Range quick_range(int first, int end, int all) {
+  const int size = std::min(all, 4 * cv::getOptimalDFTSize((end - first + 3) / 4));
+  const int from = std::clamp(first - (size - (end - first)) / 2, 0, all - size);
+  return {from - from % 2, from - from % 2 + size};
+}
+
+/// Disjoint parts of the face with everything that changed and this many cells around it.
+std::vector<cv::Rect> changed_parts(const cv::Mat& cells, const cv::Mat& measured,
+                                    const cv::Size& margin) {
+  cv::Mat around, labels, boxes, middles;
+  const cv::Size reach(margin.width / kSearchBlock + 1, margin.height / kSearchBlock + 1);
+  cv::dilate(changed_blocks(cells, measured), around,
+             cv::Mat::ones(2 * reach.height + 1, 2 * reach.width + 1, CV_8UC1));
+  const int count = cv::connectedComponentsWithStats(around, labels, boxes, middles);
+  std::vector<cv::Rect> parts;
+  for (int i = 1; i < count; ++i) {
+    const auto* box = boxes.ptr<int>(i);
+    const int left = kSearchBlock * box[cv::CC_STAT_LEFT],
+              top = kSearchBlock * box[cv::CC_STAT_TOP];
+    const cv::Range columns = quick_range(
+        left, std::min(cells.cols, left + kSearchBlock * box[cv::CC_STAT_WIDTH]), cells.cols);
+    const cv::Range rows = quick_range(
+        top, std::min(cells.rows, top + kSearchBlock * box[cv::CC_STAT_HEIGHT]), cells.rows);
+    cv::Rect part(columns.start, rows.start, columns.size(), rows.size());
+    for (std::size_t k = 0; k < parts.size();) {
+      if ((parts[k] & part).empty()) {
+        ++k;
+        continue;
+      }
+      const cv::Rect both = parts[k] | part;
+      const cv::Range wide = quick_range(both.x, both.x + both.width, cells.cols),
+                      high = quick_range(both.y, both.y + both.height, cells.rows);
+      part = {wide.start, high.start, wide.size(), high.size()};
+      parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(k));
+      k = 0;  // it has grown
+    }
+    parts.push_back(part);
+  }
+  return parts;
+}
+
+/// From 0 at a border between cells to 1 at `over` cells within it.
+float weight_within(int cell, const cv::Range& part, int all, int over) {
+  const int from_first = part.start == 0 ? over : cell - part.start,
+            from_last = part.end == all ? over : part.end - 1 - cell;
+  const float unit = std::min(
+      1.0F, static_cast<float>(std::min(from_first, from_last)) / static_cast<float>(over));
+  return unit * unit * (3 - 2 * unit);
+}
+
+/// Removes spread light from `part` and blends the result into `all`.
+void remove_within(const cv::Rect& part, const UnrolledFace& face, const MappingParameters& mapping,
+                   double layer_mm, const cv::Size& margin, Cells* all) {
+  const UnrolledFace of_part = face.part(part);
+  const auto undone = SpreadOnFace(of_part, mapping, layer_mm).undo(all->y(part).clone());
+  const cv::Range columns(part.x, part.x + part.width), rows(part.y, part.y + part.height);
+  std::vector<float> along;
+  for (int i = columns.start; i < columns.end; ++i)
+    along.push_back(weight_within(i, columns, face.size().width, margin.width / 3 + 1));
+  for (int j = 0; j < part.height; ++j) {
+    const float across = weight_within(part.y + j, rows, face.size().height, margin.height / 3 + 1);
+    float *y = all->y.ptr<float>(part.y + j) + part.x,
+          *seen_x = all->seen_x.ptr<float>(part.y + j) + part.x;
+    const float *y_undone = undone.y.ptr<float>(j), *seen_undone = undone.seen_x.ptr<float>(j);
+    for (int i = 0; i < part.width; ++i) {
+      const float weight = across * along[static_cast<std::size_t>(i)];
+      y[i] += weight * (y_undone[i] - y[i]);
+      seen_x[i] += weight * (seen_undone[i] - seen_x[i]);
+    }
+  }
+}
+
+/// Cells around what changed beyond which spread light is nothing.
+cv::Size margin_of(const UnrolledFace& face, double skirt_mm) {
+  constexpr double kSkirts = 3.0;
+  double along = 0, across = 0;
+  for (int i = 0; i < face.size().width; ++i) {
+    const UnrolledFace::Sight& sight = face.sight(i);
+    along = std::max(along, std::abs(sight.along));
+    across = std::max(
+        across, std::abs(sight.across) + std::abs(sight.across_slope) * 0.5 * face.size().height);
+  }
+  return {static_cast<int>(std::ceil(kSkirts * skirt_mm / face.step_along_mm() + along)),
+          static_cast<int>(std::ceil(kSkirts * skirt_mm / face.step_across_mm() + across))};
+}
+
 }  // namespace
 
 void remove_light_spread(const MappingParameters& mapping, const FaceShape& shape,
@@ -324,35 +454,53 @@ void remove_light_spread(const MappingParameters& mapping, const FaceShape& shap
   if (mapping.spread.is_local() || !difference->spread_removed.is_none()) return;
   const UnrolledFace face(shape, kCellMm);
   if (face.is_empty()) return;
-  SpreadOnFace spread(face, mapping, shape.face().layer_mm);
-  cv::Mat x = difference->x.clone();  // others may hold the same differences
-  cv::Mat cells = face.from_pixels(x);
-  smooth(face, &cells);
-  const auto undone = spread.undo(cells);
-  const cv::Mat y = face.to_pixels(undone.y, x.size());
-  SpreadRemoved& removed = difference->spread_removed;
-  removed.change = face.to_pixels(undone.seen_x, x.size());
-  std::vector<double> b;
-  for (int u = 0; u < x.cols; ++u) {
-    const int column = face.column_of(u);
-    b.push_back(spread.b(column));
+  const double layer_mm = shape.face().layer_mm;
+  cv::Mat measured;
+  Cells cells{face.from_pixels(difference->x, &measured), {}};
+  smooth(face, &cells.y);
+  cells.seen_x = cells.y.clone();
+  const cv::Size margin = margin_of(face, skirt_width_mm(mapping.spread, layer_mm));
+  for (const cv::Rect& part : changed_parts(cells.y, measured, margin))
+    remove_within(part, face, mapping, layer_mm, margin, &cells);
+
+  std::vector<float> b, noise_gain, level_gain;  // by column of cells
+  for (int i = 0; i < face.size().width; ++i) {
+    const double cos_sight = face.sight(i).cos_sight,
+                 core = oblique_spread(mapping.spread, cos_sight).core;
+    const double b_here = b_at(mapping.spread, face.along_mm(i), cos_sight);
     // That of the rounds alone: smoothing leaves less in a pixel, but neighbours share it, and
     // means over some pixels retain as much.
-    const double core = spread.core(column), left = std::pow(1.0 - core, kRounds);
-    const double level_gain = (1.0 + b.back()) / (1.0 + mapping.b);  // of small differences
-    removed.noise_gain.push_back(static_cast<float>((1.0 - left) / core * level_gain));
-    removed.level_gain.push_back(static_cast<float>(level_gain));
+    const double left = std::pow(1.0 - core, kRounds);
+    const double level = (1.0 + b_here) / (1.0 + mapping.b);  // of small differences
+    b.push_back(static_cast<float>(b_here));
+    noise_gain.push_back(static_cast<float>((1.0 - left) / core * level));
+    level_gain.push_back(static_cast<float>(level));
   }
-  for (int v = 0; v < x.rows; ++v)
-    for (int u = 0; u < x.cols; ++u) {
-      float& here = x.at<float>(v, u);
-      float& change = removed.change.at<float>(v, u);
-      const double after = difference_on_curve(static_cast<double>(y.at<float>(v, u)),
-                                               b[static_cast<std::size_t>(u)], mapping);
-      change = static_cast<float>(after) - change;
-      if (std::isfinite(here)) here = static_cast<float>(after);
+  const auto b_of_curve = static_cast<float>(mapping.b),
+             thickness_mm = static_cast<float>(thickness_of(mapping));
+  for (int j = 0; j < cells.y.rows; ++j) {
+    float *y = cells.y.ptr<float>(j), *seen_x = cells.seen_x.ptr<float>(j);
+    for (std::size_t i = 0; i < b.size(); ++i) {
+      y[i] =
+          difference_at_depth(depth_on_curve(y[i], b[i], thickness_mm), b_of_curve, thickness_mm);
+      seen_x[i] = y[i] - seen_x[i];
     }
-  difference->x = x;
+  }
+  SpreadRemoved& removed = difference->spread_removed;
+  for (int u = 0; u < difference->x.cols; ++u) {
+    const auto column = static_cast<std::size_t>(face.column_of(u));
+    removed.noise_gain.push_back(noise_gain[column]);
+    removed.level_gain.push_back(level_gain[column]);
+  }
+  removed.change = face.to_pixels(cells.seen_x, difference->x.size());
+  const cv::Mat before = difference->x;  // others may hold the same differences
+  difference->x = face.to_pixels(cells.y, before.size());
+  for (int v = 0; v < before.rows; ++v) {
+    const float* x = before.ptr<float>(v);
+    float* after = difference->x.ptr<float>(v);
+    for (int u = 0; u < before.cols; ++u)
+      if (!std::isfinite(x[u])) after[u] = x[u];
+  }
 }
 
 std::complex<double> wave_after_removal(const LightSpread& spread, double layer_mm,

@@ -1,5 +1,7 @@
 #include "core/sensing/depth/unrolled_face.h"
 
+#include "core/numerics/dispatch.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -15,21 +17,35 @@ constexpr int kMinCells = 16;
 
 /// The nearest measured cell across the face, else along it; 0 where nothing is measured.
 void fill_unmeasured(cv::Mat& cells) {
-  const auto is_measured = [&](int j, int i) { return std::isfinite(cells.at<float>(j, i)); };
-  std::vector<int> measured_columns;
-  for (int i = 0; i < cells.cols; ++i) {
-    int last = -1;
-    for (int j = 0; j < cells.rows; ++j) {
-      if (!is_measured(j, i)) continue;
-      const int half = last < 0 ? 0 : (last + j + 1) / 2;
-      for (int k = last + 1; k < j; ++k)
-        cells.at<float>(k, i) = cells.at<float>(k < half ? last : j, i);
-      last = j;
+  const auto columns = static_cast<std::size_t>(cells.cols);
+  const float nothing = std::numeric_limits<float>::quiet_NaN();
+  // Row by row: the nearest above, then the nearest below where that is nearer.
+  cv::Mat above_row(cells.size(), CV_16SC1);
+  std::vector<int> last(columns, -1), next(columns, -1);
+  for (int j = 0; j < cells.rows; ++j) {
+    const float* row = cells.ptr<float>(j);
+    auto* above = above_row.ptr<std::int16_t>(j);
+    for (std::size_t i = 0; i < columns; ++i) {
+      if (row[i] == row[i]) last[i] = j;  // NaN is not itself
+      above[i] = static_cast<std::int16_t>(last[i]);
     }
-    if (last < 0) continue;
-    for (int k = last + 1; k < cells.rows; ++k) cells.at<float>(k, i) = cells.at<float>(last, i);
-    measured_columns.push_back(i);
   }
+  for (int j = cells.rows - 1; j >= 0; --j) {
+    float* row = cells.ptr<float>(j);
+    const auto* above = above_row.ptr<std::int16_t>(j);
+    for (std::size_t i = 0; i < columns; ++i) {
+      if (above[i] == j) {
+        next[i] = j;
+        continue;
+      }
+      const bool is_below = next[i] >= 0 && (above[i] < 0 || next[i] - j <= j - above[i]);
+      const int from = is_below ? next[i] : above[i];
+      row[i] = from < 0 ? nothing : cells.at<float>(from, static_cast<int>(i));
+    }
+  }
+  std::vector<int> measured_columns;
+  for (int i = 0; i < cells.cols; ++i)
+    if (last[static_cast<std::size_t>(i)] >= 0) measured_columns.push_back(i);
   if (measured_columns.empty()) {
     cells.setTo(0.0F);
     return;
@@ -104,6 +120,8 @@ void UnrolledFace::make_grid(double cell_mm) {
   size_ = {cells(s_.back() - s_.front()), cells(2.0 * half_w_)};
   step_s_ = (s_.back() - s_.front()) / size_.width;
   step_w_ = 2.0 * half_w_ / size_.height;
+  first_s_ = s_.front();
+  middle_row_ = 0.5 * size_.height - 0.5;
   for (int i = 0; i < size_.width; ++i) {
     const double s = along_mm(i);
     sights_.push_back({along(shift_s_, s) / step_s_, along(shift_w_, s) / step_w_,
@@ -119,11 +137,20 @@ double UnrolledFace::along(const std::vector<double>& table, double s_mm) const 
 }
 
 int UnrolledFace::column_of(int u) const {
-  const double index = (shape_.length_at(u) - s_.front()) / step_s_ - 0.5;
+  const double index = (shape_.length_at(u) - first_s_) / step_s_ - 0.5;
   return static_cast<int>(std::clamp(std::lround(index), 0L, static_cast<long>(size_.width) - 1));
 }
 
-cv::Mat UnrolledFace::from_pixels(const cv::Mat& image) const {
+UnrolledFace UnrolledFace::part(const cv::Rect& cells) const {
+  UnrolledFace part = *this;
+  part.first_s_ = first_s_ + cells.x * step_s_;
+  part.middle_row_ = middle_row_ - cells.y;
+  part.size_ = cells.size();
+  part.sights_ = {sights_.begin() + cells.x, sights_.begin() + cells.x + cells.width};
+  return part;
+}
+
+cv::Mat UnrolledFace::from_pixels(const cv::Mat& image, cv::Mat* measured) const {
   cv::Mat at_u(size_, CV_32FC1), at_v(size_, CV_32FC1), cells;
   std::vector<float> u, middle_v, px_per_mm;
   for (int i = 0; i < size_.width; ++i) {
@@ -140,27 +167,69 @@ cv::Mat UnrolledFace::from_pixels(const cv::Mat& image) const {
   }
   cv::remap(image, cells, at_u, at_v, cv::INTER_LINEAR, cv::BORDER_CONSTANT,
             cv::Scalar(std::numeric_limits<double>::quiet_NaN()));
+  if (measured != nullptr) *measured = cells == cells;  // NaN is not itself
   fill_unmeasured(cells);
   return cells;
 }
 
-cv::Mat UnrolledFace::to_pixels(const cv::Mat& cells, const cv::Size& size) const {
-  cv::Mat column(size, CV_32FC1), row(size, CV_32FC1), at_pixel;
-  std::vector<float> columns, middle_v, rows_per_px;
+/// For an image: where its columns are among the cells, and the rows that show any.
+struct UnrolledFace::PixelColumns {
+  std::vector<int> column;  // of the cell before
+  std::vector<float> part;  // of the distance to the next
+  std::vector<float> middle_v, rows_per_px;
+  cv::Range rows;
+};
+
+UnrolledFace::PixelColumns UnrolledFace::pixel_columns(const cv::Size& size) const {
+  PixelColumns pixels;
+  double top = size.height, bottom = 0;
   for (int u = 0; u < size.width; ++u) {
-    const double s = shape_.length_at(u);
-    columns.push_back(static_cast<float>((s - s_.front()) / step_s_ - 0.5));
-    middle_v.push_back(static_cast<float>(along(middle_v_, s)));
-    rows_per_px.push_back(static_cast<float>(along(mm_per_px_, s) / step_w_));
+    const double s = shape_.length_at(u), middle = along(middle_v_, s),
+                 per_px = along(mm_per_px_, s) / step_w_;
+    const double at = std::clamp((s - first_s_) / step_s_ - 0.5, 0.0, size_.width - 1.001);
+    pixels.column.push_back(static_cast<int>(at));
+    pixels.part.push_back(static_cast<float>(at - std::floor(at)));
+    pixels.middle_v.push_back(static_cast<float>(middle));
+    pixels.rows_per_px.push_back(static_cast<float>(per_px));
+    top = std::min(top, middle - (middle_row_ + 1.0) / per_px);
+    bottom = std::max(bottom, middle + (size_.height - middle_row_) / per_px);
   }
-  for (int v = 0; v < size.height; ++v) {
-    std::copy(columns.begin(), columns.end(), column.ptr<float>(v));
-    float* at = row.ptr<float>(v);
-    for (std::size_t u = 0; u < columns.size(); ++u)
-      at[u] =
-          (static_cast<float>(v) - middle_v[u]) * rows_per_px[u] + static_cast<float>(middle_row());
+  pixels.rows = {std::clamp(static_cast<int>(top), 0, size.height),
+                 std::clamp(static_cast<int>(bottom) + 1, 0, size.height)};
+  return pixels;
+}
+
+namespace {
+
+/// A row of an image from cells.
+ALLTACT_WIDE void interpolate_row(const cv::Mat& cells, const int* __restrict column,
+                                  const float* __restrict part, const float* __restrict middle_v,
+                                  const float* __restrict rows_per_px, float v, float middle_row,
+                                  int count, float* __restrict out) {
+  const float last = static_cast<float>(cells.rows) - 1.001F;
+  const auto step = static_cast<std::ptrdiff_t>(cells.step1());
+  const float* first = cells.ptr<float>();
+  for (int u = 0; u < count; ++u) {
+    const float row =
+        std::min(std::max((v - middle_v[u]) * rows_per_px[u] + middle_row, 0.0F), last);
+    const int j = static_cast<int>(row);
+    const float down = row - static_cast<float>(j);
+    const float* at = first + j * step + column[u];
+    const float above = at[0] + part[u] * (at[1] - at[0]),
+                below = at[step] + part[u] * (at[step + 1] - at[step]);
+    out[u] = above + down * (below - above);
   }
-  cv::remap(cells, at_pixel, column, row, cv::INTER_LINEAR, cv::BORDER_REPLICATE);
+}
+
+}  // namespace
+
+cv::Mat UnrolledFace::to_pixels(const cv::Mat& cells, const cv::Size& size) const {
+  const PixelColumns pixels = pixel_columns(size);
+  cv::Mat at_pixel = cv::Mat::zeros(size, CV_32FC1);
+  for (int v = pixels.rows.start; v < pixels.rows.end; ++v)
+    interpolate_row(cells, pixels.column.data(), pixels.part.data(), pixels.middle_v.data(),
+                    pixels.rows_per_px.data(), static_cast<float>(v),
+                    static_cast<float>(middle_row_), size.width, at_pixel.ptr<float>(v));
   return at_pixel;
 }
 

@@ -38,21 +38,27 @@ class UnrolledFace {
   [[nodiscard]] const cv::Size& size() const { return size_; }
   [[nodiscard]] double step_along_mm() const { return step_s_; }
   [[nodiscard]] double step_across_mm() const { return step_w_; }
-  [[nodiscard]] double along_mm(int column) const { return s_.front() + (column + 0.5) * step_s_; }
-  [[nodiscard]] double middle_row() const { return 0.5 * size_.height - 0.5; }
+  [[nodiscard]] double along_mm(int column) const { return first_s_ + (column + 0.5) * step_s_; }
+  /// Of the cells in the middle of the face, from the first row of this part; not limited to it.
+  [[nodiscard]] double middle_row() const { return middle_row_; }
   [[nodiscard]] const Sight& sight(int column) const {
     return sights_[static_cast<std::size_t>(column)];
   }
   /// Column of cells, limited to the first and last, of an image column.
   [[nodiscard]] int column_of(int u) const;
+  /// Some of the cells, as if they were all.
+  [[nodiscard]] UnrolledFace part(const cv::Rect& cells) const;
 
   /// An image (CV_32FC1, NaN where nothing is measured) at the pixels of the cells. Cells without a
   /// measurement take the nearest across the face, else along it; all 0 where there is none.
-  [[nodiscard]] cv::Mat from_pixels(const cv::Mat& image) const;
-  /// Cells (CV_32FC1) at the pixels.
+  /// `measured`: CV_8UC1, 255 where a cell has its own.
+  [[nodiscard]] cv::Mat from_pixels(const cv::Mat& image, cv::Mat* measured = nullptr) const;
+  /// Cells (CV_32FC1) at the pixels of an image of this size. Above and below the face all are 0.
   [[nodiscard]] cv::Mat to_pixels(const cv::Mat& cells, const cv::Size& size) const;
 
  private:
+  struct PixelColumns;
+  [[nodiscard]] PixelColumns pixel_columns(const cv::Size& size) const;
   void tabulate_columns();
   void make_grid(double cell_mm);
   /// A table over the visible image columns, at a position along the face.
@@ -63,6 +69,7 @@ class UnrolledFace {
   std::vector<double> s_, u_, middle_v_, mm_per_px_;
   std::vector<double> shift_s_, shift_w_, shift_w_slope_, cos_;  // of the line of sight, in mm
   double half_w_ = 0, step_s_ = 1, step_w_ = 1;
+  double first_s_ = 0, middle_row_ = 0;
   cv::Size size_;
   std::vector<Sight> sights_;  // by column of cells
 };
