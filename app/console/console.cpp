@@ -35,6 +35,7 @@ Console::Console(bool json)
   action.sa_handler = on_interrupt;
   action.sa_flags = static_cast<int>(SA_RESETHAND);
   for (const int signal : {SIGINT, SIGTERM}) sigaction(signal, &action, nullptr);
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of its writing
 }
 
 Console::~Console() { running_job = nullptr; }

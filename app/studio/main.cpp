@@ -11,14 +11,20 @@
 
 #include <QApplication>
 #include <QSettings>
+#include <QSocketNotifier>
 #include <QStandardPaths>
+#include <array>
 #include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
+#include <optional>
 
+#include <fcntl.h>
 #include <malloc.h>
 #include <opencv2/core/utils/logger.hpp>
+#include <unistd.h>
 
 namespace {
 
@@ -66,6 +72,49 @@ bool has_display() {
   return !qgetenv("DISPLAY").isEmpty() || !qgetenv("WAYLAND_DISPLAY").isEmpty();
 }
 
+int end_without_display() {
+  std::cerr << "There is no display to open a window on. Try: the command line, alltact --help.\n";
+  return 1;
+}
+
+/// While Qt looks for the display: where there is none it would abort, with advice to install it
+/// again.
+void on_message_before_display(QtMsgType type, const QMessageLogContext& /*where*/,
+                               const QString& /*text*/) {
+  if (type == QtFatalMsg) std::_Exit(end_without_display());
+}
+
+/// Closes the window when the desktop's session ends or somebody ends the program, so that nothing
+/// is lost.
+class EndOnSignal {
+ public:
+  explicit EndOnSignal(alltact::MainWindow& window) {
+    if (::pipe2(ends_.data(), O_CLOEXEC | O_NONBLOCK) != 0) return;
+    write_end = ends_[1];
+    notifier_.emplace(ends_[0], QSocketNotifier::Read);
+    QObject::connect(&*notifier_, &QSocketNotifier::activated, &window,
+                     [&window] { window.end(); });
+    struct sigaction action {};
+    action.sa_handler = [](int) {
+      const char byte = 0;
+      [[maybe_unused]] const auto written = ::write(write_end, &byte, 1);
+    };
+    for (const int signal : {SIGTERM, SIGINT, SIGHUP}) ::sigaction(signal, &action, nullptr);
+  }
+  EndOnSignal(const EndOnSignal&) = delete;
+  EndOnSignal& operator=(const EndOnSignal&) = delete;
+  ~EndOnSignal() {
+    for (const int signal : {SIGTERM, SIGINT, SIGHUP}) std::signal(signal, SIG_IGN);
+    for (const int end : ends_)
+      if (end >= 0) ::close(end);
+  }
+
+ private:
+  static inline int write_end = -1;
+  std::array<int, 2> ends_{-1, -1};
+  std::optional<QSocketNotifier> notifier_;
+};
+
 }  // namespace
 
 int main(int argc, char** argv) try {
@@ -73,18 +122,17 @@ int main(int argc, char** argv) try {
   StudioArguments requested;
   if (const auto status = read_arguments(argc, argv, requested)) return *status;
   sort_files(requested);
-  if (!has_display()) {
-    std::cerr
-        << "There is no display to open a window on. Try: the command line, alltact --help.\n";
-    return 1;
-  }
-  mallopt(M_ARENA_MAX, 2);  // threads with an arena each would hold memory that others lack
+  if (!has_display()) return end_without_display();
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of its writing
+  mallopt(M_ARENA_MAX, 2);        // threads with an arena each would hold memory that others lack
   // Decoders' own messages would mix with this program's sentences.
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
   cv::setNumThreads(1);  // capture, sensing and painting have a thread each already
   VtkView::prepare_application();
   int only_name = 1;
+  const auto default_messages = qInstallMessageHandler(on_message_before_display);
   GuardedApplication application(only_name, argv);
+  qInstallMessageHandler(default_messages);
   QCoreApplication::setOrganizationName(QStringLiteral("alltact"));
   QCoreApplication::setApplicationName(QStringLiteral("alltact-studio"));
   QGuiApplication::setDesktopFileName(QStringLiteral("alltact-studio"));
@@ -106,6 +154,7 @@ int main(int argc, char** argv) try {
     const DiskWatch disks(kDiskTimeout, [](const std::filesystem::path&) {});
     options.slow_files = [&disks] { return disks.slow(); };
     MainWindow window(options, program_appearance);
+    const EndOnSignal end_on_signal(window);
     window.show();
     status = QApplication::exec();
   }

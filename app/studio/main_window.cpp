@@ -318,6 +318,12 @@ void MainWindow::ask_before_closing() {
   box->open();
 }
 
+void MainWindow::end() {
+  may_close_ = true;
+  close();
+  QApplication::quit();
+}
+
 void MainWindow::closeEvent(QCloseEvent* event) {
   if (session_.status().recording.state == RecordingState::kRunning && !may_close_) {
     event->ignore();

@@ -68,6 +68,8 @@ class MainWindow : public Translated<QMainWindow> {
   void go_to(const std::string& page);
   /// Goes to the page, and there to the next thing to do.
   void lead_to(const std::string& page);
+  /// Ends a recording and the program, without a question.
+  void end();
 
  protected:
   void closeEvent(QCloseEvent* event) override;

@@ -336,6 +336,27 @@ TEST(Program, SaysThatThereIsNoDisplay) {
   EXPECT_THAT(run.errors, HasSubstr("no display"));
 }
 
+TEST(Program, SaysThatADisplayHasGone) {
+  for (const char* display : {"DISPLAY=:5377", "WAYLAND_DISPLAY=wayland-5377"}) {
+    const ProgramRun run =
+        run_shell(std::string("env -u QT_QPA_PLATFORM -u DISPLAY -u WAYLAND_DISPLAY ") + display +
+                  " " + ALLTACT_STUDIO);
+    EXPECT_EQ(run.status, 1) << display;
+    EXPECT_THAT(run.errors, HasSubstr("There is no display to open a window on."));
+    EXPECT_THAT(run.errors, testing::Not(HasSubstr("installing")));
+  }
+}
+
+TEST(Program, TheEndOfASessionIsNoCrash) {
+  const test::TemporaryFolder folder;
+  const ProgramRun run =
+      run_shell("XDG_DATA_HOME='" + folder.path().string() + "' timeout 4 " + ALLTACT_STUDIO);
+  EXPECT_EQ(run.status, 124);
+  const auto session = folder / "alltact/alltact-studio";
+  EXPECT_TRUE(std::filesystem::exists(session));
+  EXPECT_FALSE(std::filesystem::exists(session / "running.lock"));
+}
+
 TEST(Program, StartsAndGoesOnUntilItIsEnded) {
   const ProgramRun run = run_shell(std::string("timeout 2 ") + ALLTACT_STUDIO + " --source '" +
                                    MadeFingers::get().bending().string() + "'");
