@@ -15,9 +15,12 @@ Result<FingerPtr> open_finger(const Path& folder, Console& console) {
 }
 
 Status run_new(const NewFinger& options, Console& console) {
-  const auto finger = make_finger(options);
+  CameraFile camera;
+  const auto finger = make_finger(options, &camera);
   if (!finger) return finger.error();
   const Path file = options.finger / Finger::kFileName;
+  console.say(fmt::format("Camera {}", camera.understood));
+  for (const Message& warning : camera.warnings) console.warn(fmt::format("Warning: {}", warning));
   console.say(
       fmt::format("{} made. Next: {}", file.string(),
                   options.kind == FaceKind::kFlat
@@ -25,6 +28,8 @@ Status run_new(const NewFinger& options, Console& console) {
                       : "alltact reference with a recording of the bending, untouched finger"));
   console.answer()["finger"] = file.string();
   console.answer()["name"] = finger->name;
+  console.answer()["camera"] = camera.understood.english();
+  console.answer()["warnings"] = in_english(camera.warnings);
   return {};
 }
 
@@ -34,7 +39,8 @@ void add_new(CLI::App& program, Chosen& chosen) {
   command->add_option("FINGER", options->finger, "New folder")->required();
   command
       ->add_option("--camera", options->camera,
-                   "YAML file with the camera, as under `camera:` in a finger")
+                   "File with the camera: of 'alltact lens' or 'alltact export', ROS, OpenCV, "
+                   "Kalibr, mrcal, PhotonVision or Matlab; FILE#NAME: one camera of several")
       ->type_name("CAMERA.yaml")
       ->required();
   command->add_option("--layer-mm", options->layer_mm, "Thickness of the translucent layer, mm")

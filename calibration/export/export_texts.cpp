@@ -187,11 +187,18 @@ Status has_camera_matrix(const CameraParameters& camera, const std::string& who)
                en::say("json, or zip for the entire finger")};
 }
 
-/// Missing coefficients are zero.
+/// As many as OpenCV permits; missing ones are zero.
 std::vector<double> all_coefficients(const CameraParameters& camera) {
   std::vector<double> all = camera.distortion;
-  all.resize(camera.model == CameraModel::kFisheye ? 4 : 5, 0.0);
+  const std::size_t count = all.size();
+  all.resize(camera.model == CameraModel::kFisheye ? 4 : count <= 5 ? 5 : count <= 8 ? 8 : 12);
   return all;
+}
+
+/// As ROS names it.
+std::string distortion_model(const CameraParameters& camera, const std::string& fisheye) {
+  if (camera.model == CameraModel::kFisheye) return fisheye;
+  return camera.distortion.size() <= 5 ? "plumb_bob" : "rational_polynomial";
 }
 
 /// ROS allows letters, digits and '_' only.
@@ -219,9 +226,10 @@ Result<std::string> opencv_camera(const Finger& finger) {
   file << "camera_name" << finger.name;
   file << "image_width" << camera.width_px << "image_height" << camera.height_px;
   file << "camera_matrix" << matrix;
-  const bool is_fisheye = camera.model == CameraModel::kFisheye;
-  file << "distortion_model" << std::string(is_fisheye ? "fisheye" : "plumb_bob");
+  file << "distortion_model" << distortion_model(camera, "fisheye");
   file << "distortion_coefficients" << cv::Mat(all_coefficients(camera), true).t();
+  if (camera.orientation != Orientation::kNone)
+    file << "orientation" << std::string(to_string(camera.orientation));
   return file.releaseAndGetString();
 }
 
@@ -231,13 +239,14 @@ Result<std::string> ros_camera_info(const Finger& finger) {
   const double fx = camera.fx_px, fy = camera.fy_px, cx = camera.cx_px, cy = camera.cy_px;
   std::string text;
   if (camera.orientation != Orientation::kNone)
-    text = fmt::format("# Of the camera's picture after this turn: {}\n",
-                       to_string(camera.orientation));
+    text = fmt::format(
+        "# The numbers hold for the image after this rotation or reflection; ROS ignores the key.\n"
+        "orientation: {}\n",
+        to_string(camera.orientation));
   text += fmt::format("image_width: {}\nimage_height: {}\ncamera_name: {}\n", camera.width_px,
                       camera.height_px, yaml_text(ros_name(finger.name)));
   text += ros_matrix("camera_matrix", 3, {fx, 0, cx, 0, fy, cy, 0, 0, 1});
-  text += fmt::format("distortion_model: {}\n",
-                      camera.model == CameraModel::kFisheye ? "equidistant" : "plumb_bob");
+  text += fmt::format("distortion_model: {}\n", distortion_model(camera, "equidistant"));
   text += ros_matrix("distortion_coefficients", 1, all_coefficients(camera));
   text += ros_matrix("rectification_matrix", 3, {1, 0, 0, 0, 1, 0, 0, 0, 1});
   text += ros_matrix("projection_matrix", 3, {fx, 0, cx, 0, 0, fy, cy, 0, 0, 0, 1, 0});

@@ -147,9 +147,9 @@ Evaluation Evaluator::evaluation() const {
 }
 
 Result<Evaluation> evaluate_folder(const fs::path& truth_folder, const fs::path& results_folder) {
-  const auto parameters = load_camera(truth_folder / "camera.yaml");
-  if (!parameters) return parameters.error();
-  const auto camera = Camera::create(*parameters);
+  const auto file = load_camera(truth_folder / "camera.yaml");
+  if (!file) return file.error();
+  const auto camera = Camera::create(file->parameters);
   if (!camera) return camera.error();
   const auto truth_text = read_file(truth_folder / "truth.json");
   if (!truth_text) return truth_text.error();

@@ -40,7 +40,7 @@ auto meaning_of(const Words& words, std::string_view word)
 std::size_t coefficient_limit(CameraModel model) {
   switch (model) {
     case CameraModel::kBrown:
-      return 5;
+      return BrownDistortion::kMaxCoefficients;
     case CameraModel::kFisheye:
       return 4;
     default:
@@ -85,10 +85,11 @@ std::optional<Error> distortion_problem(const CameraParameters& p) {
   const std::size_t limit = coefficient_limit(p.model);
   if (p.distortion.size() > limit) {
     const Message allowed = limit == 0 ? en::say("no") : en::say("at most {}", limit);
-    return Error{en::say("a {} camera has {} coefficients, here are {}",
-                         std::string(to_string(p.model)), allowed, p.distortion.size()),
-                 std::string("camera.distortion"),
-                 en::say("brown: k1 k2 p1 p2 k3, fisheye: k1 k2 k3 k4, others: []")};
+    return Error{
+        en::say("a {} camera has {} coefficients, here are {}", std::string(to_string(p.model)),
+                allowed, p.distortion.size()),
+        std::string("camera.distortion"),
+        en::say("brown: k1 k2 p1 p2 k3 k4 k5 k6 s1 s2 s3 s4, fisheye: k1 k2 k3 k4, others: []")};
   }
   for (double k : p.distortion)
     if (!(std::abs(k) <= 1e4))

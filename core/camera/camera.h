@@ -75,10 +75,12 @@ struct CameraParameters {
   CameraModel model = CameraModel::kPinhole;
   int width_px = 0;  ///< of the oriented image
   int height_px = 0;
-  double fx_px = 0, fy_px = 0;     ///< focal lengths; unused when orthographic
-  double cx_px = 0, cy_px = 0;     ///< principal point; the pixel at x = y = 0
-  double mm_per_px = 0;            ///< orthographic only
-  std::vector<double> distortion;  ///< brown: k1 k2 p1 p2 k3; fisheye: k1 k2 k3 k4; may be shorter
+  double fx_px = 0, fy_px = 0;  ///< focal lengths; unused when orthographic
+  double cx_px = 0, cy_px = 0;  ///< principal point; the pixel at x = y = 0
+  double mm_per_px = 0;         ///< orthographic only
+  /// brown: k1 k2 p1 p2 k3 k4 k5 k6 s1 s2 s3 s4, as in OpenCV; fisheye: k1 k2 k3 k4; may be
+  /// shorter.
+  std::vector<double> distortion;
   Orientation orientation = Orientation::kNone;
   /// The flat window before the lens, where the numbers above hold for air; not orthographic.
   std::optional<FlatPort> port;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/camera/camera.h"
+#include "core/camera/camera_file.h"
 #include "core/finger/mapping.h"
 #include "core/geometry/rigid_transform.h"
 
@@ -106,10 +106,6 @@ struct ContactSettings {
   std::vector<Eigen::Vector2d> rest_markers;  ///< 2n positions of the finger at rest, px
 };
 
-/// Record of the lens calibration (date, views, standard deviations), for people and for the
-/// report; the key `camera.lens`.
-using LensRecord = std::map<std::string, std::string>;
-
 /// A value with the content of `finger.yaml`.
 class Finger {
  public:
@@ -166,18 +162,6 @@ class Finger {
   struct Unknown;  // keys of the file that this version does not know
   std::shared_ptr<const Unknown> unknown_;
 };
-
-/// Reads the key `camera:` of a finger from a separate file (CAMERA.yaml, with or without the
-/// `camera:` line). `record`: may be null.
-[[nodiscard]] Result<CameraParameters> load_camera(const std::filesystem::path& file,
-                                                   LensRecord* record = nullptr);
-
-/// Sixteen hexadecimal digits that change with any number under `camera:` (FNV-1a).
-[[nodiscard]] std::string camera_fingerprint(const CameraParameters& parameters);
-
-/// Writes such a file, without the `camera:` line. Error: no valid camera, or not writable.
-[[nodiscard]] Status save_camera(const std::filesystem::path& file,
-                                 const CameraParameters& parameters, const LensRecord& record = {});
 
 // The faces of a finger.
 

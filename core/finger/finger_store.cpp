@@ -271,25 +271,24 @@ Result<cv::Mat> image_for(const FingerSnapshot& finger, const cv::Mat& raw, cons
   return reduced_image(*turned, finger.reduced_by);
 }
 
-Result<Finger> make_finger(const NewFinger& requested) {
+Result<Finger> make_finger(const NewFinger& requested, CameraFile* camera_file) {
   std::error_code ignored;
   const std::filesystem::path file = requested.finger / Finger::kFileName;
   if (std::filesystem::exists(file, ignored)) {
     return Error{en::say("there is a finger already, and it is never overwritten"), file.string(),
                  en::say("another folder, or moving that one away")};
   }
-  LensRecord lens_record;
-  auto camera = load_camera(requested.camera, &lens_record);
+  const auto camera = load_camera(requested.camera);
   if (!camera) return camera.error();
-  if (const auto valid = Camera::create(*camera); !valid) return valid.error();
+  if (camera_file != nullptr) *camera_file = *camera;
 
   Finger finger;
   finger.name = requested.name;
   if (finger.name.empty())
     finger.name =
         std::filesystem::absolute(requested.finger / "").parent_path().filename().string();
-  finger.camera = std::move(camera).value();
-  finger.lens_record = std::move(lens_record);
+  finger.camera = camera->parameters;
+  finger.lens_record = camera->lens;
   finger.face.kind = requested.kind;
   finger.face.width_mm = requested.width_mm;
   finger.face.layer_mm = requested.layer_mm;

@@ -132,7 +132,7 @@ void copy_provenance(const Finger& from, const std::string& key, Finger& finger)
 struct NewFinger {
   std::filesystem::path finger;  ///< the folder to make
   std::string name;              ///< empty: the folder's name
-  std::filesystem::path camera;  ///< CAMERA.yaml
+  std::filesystem::path camera;  ///< as load_camera() takes it
   FaceKind kind = FaceKind::kFinRay;
   double width_mm = 0;
   double layer_mm = 0;
@@ -143,7 +143,8 @@ struct NewFinger {
 };
 
 /// Makes a finger folder and returns the finger. Errors: there is a finger already; the camera file
-/// or a value is wrong; the folder cannot be written.
-[[nodiscard]] Result<Finger> make_finger(const NewFinger& requested);
+/// or a value is wrong; the folder cannot be written. `camera_file`: may be null; what was read.
+[[nodiscard]] Result<Finger> make_finger(const NewFinger& requested,
+                                         CameraFile* camera_file = nullptr);
 
 }  // namespace alltact

@@ -3,87 +3,14 @@
 #include "core/base/atomic_file.h"
 #include "core/base/fields.h"
 #include "core/base/message.h"
-#include "core/camera/camera.h"
+#include "core/camera/camera_file.h"
 #include "core/finger/finger.h"
-#include "core/numerics/checksum.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 namespace alltact {
-namespace {
-
-/// The key `camera:` of a finger file.
-struct CameraOnFile {
-  CameraParameters parameters;
-  LensRecord lens;
-};
-
-}  // namespace
-
-static void describe(Fields& fields, FlatPort& port) {
-  fields.number("gap_mm", port.gap_mm, en::say("the lens-to-window air gap in mm"));
-  fields.number("plate_mm", port.plate_mm, en::say("the window's thickness in mm"));
-  fields.number("plate_index", port.plate_index, en::say("the window's index of refraction"));
-  fields.number("medium_index", port.medium_index, en::say("the index of refraction behind it"));
-}
-
-static void describe(Fields& fields, CameraOnFile& file) {
-  CameraParameters& camera = file.parameters;
-  fields.choice("model", camera.model, words_up_to(CameraModel::kOrthographic));
-  std::vector<int> size{camera.width_px, camera.height_px};
-  fields.integers("size", size, 999'999'999, 2, en::say("must be two integers"),
-                  en::say("[width, height] in pixels"));
-  camera.width_px = size[0], camera.height_px = size[1];
-  if (camera.model == CameraModel::kOrthographic) {
-    fields.number("mm_per_px", camera.mm_per_px, en::say("the size of a pixel in mm"));
-  } else {
-    fields.number("fx", camera.fx_px, en::say("the focal length in pixels"));
-    fields.number("fy", camera.fy_px, en::say("the focal length in pixels"));
-  }
-  fields.number("cx", camera.cx_px, en::say("the principal point in pixels"));
-  fields.number("cy", camera.cy_px, en::say("the principal point in pixels"));
-  fields.numbers(may("distortion"), camera.distortion);
-  fields.choice(may("orientation"), camera.orientation, words_up_to(Orientation::kRotate270));
-  fields.section(may("port"), camera.port);
-  fields.texts_by_name("lens", file.lens);
-}
-
-Result<CameraParameters> load_camera(const std::filesystem::path& path, LensRecord* record) {
-  YamlFile file(path);
-  CameraOnFile camera;
-  bool is_wrapped = false;
-  const Status read = file.load([&](YamlSection& top) {
-    is_wrapped = top.has("camera");
-    Fields fields(is_wrapped ? top.section("camera") : top);
-    describe(fields, camera);
-  });
-  if (!read) return read.error();
-  if (record != nullptr) *record = std::move(camera.lens);
-  const Status status = check_camera_range(camera.parameters);
-  if (status) return camera.parameters;
-  Error error = status.error();
-  if (!is_wrapped) {
-    const std::string key = error.where.english();
-    error.where = key.substr(key.find('.') + 1);
-  }
-  return file.located(error);
-}
-
-std::string camera_fingerprint(const CameraParameters& parameters) {
-  const std::string text = fields_text(CameraOnFile{parameters, {}});
-  Checksum checksum;
-  checksum.add(text.data(), text.size());
-  return checksum.text();
-}
-
-Status save_camera(const std::filesystem::path& path, const CameraParameters& parameters,
-                   const LensRecord& record) {
-  if (const Status status = check_camera_range(parameters); !status) return status.error();
-  return write_file_atomically(path, fields_text(CameraOnFile{parameters, record}));
-}
-
 void describe(Fields& fields, RigidTransform& pose) {
   Eigen::Vector3d& at = pose.translation_mm;
   Eigen::Quaterniond& turn = pose.rotation;
@@ -305,7 +232,7 @@ static void describe(Fields& fields, Finger& finger) {
   fields.format(Finger::kFormat,
                 en::say("a newer version of this program, or '{}'", std::string(Finger::kFormat)));
   fields.text("name", finger.name);
-  CameraOnFile camera{finger.camera, finger.lens_record};
+  CameraFile camera{finger.camera, finger.lens_record, {}, {}};
   fields.section("camera", camera, Layout::kLines);
   finger.camera = camera.parameters, finger.lens_record = camera.lens;
   fields.section("face", finger.face, Layout::kLines);

@@ -38,7 +38,8 @@ class Finger:
         if c["model"] == "orthographic":
             return (pixels - [c["cx_px"], c["cy_px"]]) * c["mm_per_px"]
         lens = np.array([[c["fx_px"], 0, c["cx_px"]], [0, c["fy_px"], c["cy_px"]], [0, 0, 1]])
-        undistort, terms = (cv2.fisheye.undistortPoints, 4) if c["model"] == "fisheye" else (cv2.undistortPoints, 5)
+        undistort, counts = (cv2.fisheye.undistortPoints, [4]) if c["model"] == "fisheye" else (cv2.undistortPoints, [5, 8, 12])
+        terms = next(count for count in counts if count >= len(c["distortion"]))
         bent = np.pad(np.float64(c["distortion"]), (0, terms - len(c["distortion"])))
         return undistort(pixels.reshape(-1, 1, 2), lens, bent).reshape(height, width, 2)
 

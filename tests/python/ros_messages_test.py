@@ -102,6 +102,8 @@ class Messages(unittest.TestCase):
         self.assertEqual(np.reshape(info.r, (3, 3)).tolist(), np.eye(3).tolist())
         brown = messages.camera_info(MSG, HEAD, PINHOLE | {"model": "brown", "distortion": [0.1, -0.02]})
         self.assertEqual((brown.distortion_model, brown.d), ("plumb_bob", [0.1, -0.02, 0.0, 0.0, 0.0]))
+        rational = messages.camera_info(MSG, HEAD, PINHOLE | {"model": "brown", "distortion": [0.1, 0, 0, 0, 0, 0.2]})
+        self.assertEqual((rational.distortion_model, rational.d), ("rational_polynomial", [0.1, 0.0, 0.0, 0.0, 0.0, 0.2, 0.0, 0.0]))
         fisheye = messages.camera_info(MSG, HEAD, PINHOLE | {"model": "fisheye", "distortion": [0.1, 0.2, 0.3, 0.4]})
         self.assertEqual((fisheye.distortion_model, fisheye.d), ("equidistant", [0.1, 0.2, 0.3, 0.4]))
 

@@ -61,9 +61,9 @@ TEST(LensBoards, AreTakenByThemselvesAndMeasureTheLens) {
   by_itself->click();
   studio.click("Measure the lens");
   ASSERT_TRUE(wait_until([&] { return !page->camera_file().empty(); }, 60000)) << studio.problems();
-  const auto camera = load_camera(page->camera_file(), nullptr);
+  const auto camera = load_camera(page->camera_file());
   ASSERT_TRUE(camera) << camera.error().sentence();
-  EXPECT_NEAR(camera->fx_px, made::board_lens().fx_px, 12);
+  EXPECT_NEAR(camera->parameters.fx_px, made::board_lens().fx_px, 12);
   EXPECT_NE(studio.find<QPushButton>("Next: Finger"), nullptr);
   EXPECT_TRUE(studio.find<QPushButton>("Next: Finger")->isEnabled());
 }

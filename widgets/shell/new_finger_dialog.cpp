@@ -53,7 +53,7 @@ NewFingerDialog::NewFingerDialog(QWidget* parent)
   connect(choose_folder_, &QPushButton::clicked, this, &NewFingerDialog::choose_folder);
   connect(choose_camera_, &QPushButton::clicked, this, [this] {
     ask_for_file(
-        this, tr("Camera file"), tr("Camera (*.yaml *.yml)"),
+        this, tr("Camera file"), tr("Camera (*.yaml *.yml *.json *.xml *.cameramodel *.txt)"),
         [this](const QString& file) { camera_->setText(file); }, camera_->text());
   });
   connect(buttons_, &QDialogButtonBox::accepted, this, &NewFingerDialog::make);

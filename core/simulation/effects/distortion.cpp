@@ -1,5 +1,6 @@
-// The lens distorts: Brown's k1 k2 p1 p2 k3 for a pinhole or brown camera, Kannala's k1 k2 k3 k4
-// for a fisheye (camera.h). The scene is rendered along the bent rays; nothing is resampled.
+// The lens distorts: Brown's k1 k2 p1 p2 k3 k4 k5 k6 s1 s2 s3 s4 for a pinhole or brown camera,
+// Kannala's k1 k2 k3 k4 for a fisheye (camera.h). The scene is rendered along the bent rays;
+// nothing is resampled.
 #include "core/simulation/effect.h"
 
 namespace alltact {
@@ -9,7 +10,7 @@ namespace {
 class Distortion final : public GeometryEffect {
  public:
   explicit Distortion(YamlSection& p)
-      : coefficients_(p.numbers("coefficients", 1, 5, {-1e6, 1e6})) {}
+      : coefficients_(p.numbers("coefficients", 1, 12, {-1e6, 1e6})) {}
 
   Status validate(const SceneFacts& scene) const override {
     if (scene.finger.camera.model == CameraModel::kOrthographic)

@@ -61,7 +61,7 @@ TEST(ExportFinger, RosCameraInfoHoldsTheMatricesThatItsReadersWant) {
   const Finger finger = whole_finger();
   const auto text = ros_camera_info(finger);
   ASSERT_TRUE(text.ok());
-  EXPECT_THAT(*text, HasSubstr("# Of the camera's picture after this turn: rotate_180\n"));
+  EXPECT_THAT(*text, HasSubstr("\norientation: rotate_180\n"));
   const YAML::Node info = YAML::Load(*text);
   EXPECT_EQ(info["image_width"].as<int>(), 960);
   EXPECT_EQ(info["image_height"].as<int>(), 540);

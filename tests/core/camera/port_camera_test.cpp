@@ -104,7 +104,7 @@ TEST(PortCamera, IsKeptInItsFile) {
   ASSERT_TRUE(save_camera(folder / "camera.yaml", written));
   const auto read = load_camera(folder / "camera.yaml");
   ASSERT_TRUE(read) << read.error().sentence();
-  EXPECT_EQ(*read, written);
+  EXPECT_EQ(read->parameters, written);
 }
 
 /// The edges of a straight face, z = z0 + x tan(incline), that is 24 mm wide, as light through the

@@ -9,7 +9,7 @@ import numpy as np
 
 OK, WARN, ERROR, STALE = (bytes([level]) for level in range(4))  # diagnostic_msgs/DiagnosticStatus
 FLOAT32 = 7  # sensor_msgs/PointField
-MODELS = {"pinhole": ("plumb_bob", 5), "brown": ("plumb_bob", 5), "fisheye": ("equidistant", 4)}
+COUNTS = {"pinhole": (5,), "brown": (5, 8, 12), "fisheye": (4,)}  # of coefficients, as OpenCV permits
 
 
 def header(msg, stamp_ns: int, frame_id: str):
@@ -31,14 +31,14 @@ def image(msg, head, picture: np.ndarray):
 
 def camera_info(msg, head, camera: dict):
     """sensor_msgs/CameraInfo of the finger message's camera; None where a camera matrix cannot say what the camera does."""
-    if camera["model"] not in MODELS or "port" in camera:
+    if camera["model"] not in COUNTS or "port" in camera:
         return None
-    model, terms = MODELS[camera["model"]]
+    terms = next(count for count in COUNTS[camera["model"]] if count >= len(camera["distortion"]))
     fx, fy, cx, cy = (float(camera[key]) for key in ("fx_px", "fy_px", "cx_px", "cy_px"))
     made = msg.CameraInfo()
     made.header = head
     made.width, made.height = camera["size_px"]
-    made.distortion_model = model
+    made.distortion_model = {4: "equidistant", 5: "plumb_bob"}.get(terms, "rational_polynomial")
     made.d = [float(term) for term in camera["distortion"]] + [0.0] * (terms - len(camera["distortion"]))
     made.k = [fx, 0.0, cx, 0.0, fy, cy, 0.0, 0.0, 1.0]
     made.r = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]
