@@ -119,17 +119,23 @@ Status run_collect_force(const ForceOptions& options, Console& console) {
   if (!file) return file.error();
   const auto gauge = ForceGauge::load(*file, options.gauge_file);
   if (!gauge) return gauge.error();
-  const auto frames = marker_frames(options.recording, **finger, console.job());
+  Console::Json& answer = console.answer();
+  if (!gauge->understood.empty()) {
+    console.say(gauge->understood.english());
+    answer["gauge_read_as"] = gauge->understood.english();
+  }
+  std::vector<Message> of_source;
+  const auto frames = marker_frames(options.recording, **finger, console.job(), &of_source);
   if (!frames) return frames.error();
-  const auto collected = collect_force(*frames, *gauge, options.collect);
+  auto collected = collect_force(*frames, *gauge, options.collect);
   if (!collected) return collected.error();
+  collected->remarks.insert(collected->remarks.begin(), of_source.begin(), of_source.end());
   for (const Message& remark : collected->remarks) console.warn(remark.english());
   if (const Status saved = write_file_atomically(options.output, collected->table.to_csv()); !saved)
     return saved;
   console.say(fmt::format("{} rows in {}; {} of {} frames have no gauge reading.",
                           collected->table.rows(), options.output.string(), collected->left_out,
                           collected->frames));
-  Console::Json& answer = console.answer();
   answer["rows"] = collected->table.rows();
   answer["left_out"] = collected->left_out;
   answer["clock"] = json_of(collected->clock);
@@ -178,6 +184,9 @@ Status run_force(const ForceOptions& options, Console& console) {
   const auto table =
       options.again ? stored_force_table(options.finger) : ForceTable::load_all(options.tables);
   if (!table) return table.error();
+  for (const Message& understood : table->understood) console.say(understood.english());
+  for (const Message& remark : table->remarks) console.warn(remark.english());
+  console.answer()["read_as"] = in_english(table->understood);
   if (!table->ignored_columns.empty()) {
     std::string names;
     for (const std::string& name : table->ignored_columns)
@@ -199,8 +208,10 @@ void add_force(CLI::App& program, Chosen& chosen) {
   command->add_option("FINGER", options->finger, "The finger's folder")->required();
   CLI::Option* table = command->add_option(
       "TABLE", options->tables,
-      "CSV table, or several of the same finger, with columns u0, v0, u1, ... (px), fx_n and fy_n; "
-      "optional: fz_n, seen0, ..., along_mm, across_mm, t_s, block, day, indenter");
+      "Table (CSV in any form that spreadsheets write), or several of the same finger, with "
+      "columns "
+      "u0, v0, u1, ... (px), fx_n and fy_n; optional: fz_n, seen0, ..., along_mm, across_mm, t_s, "
+      "block, day, indenter");
   auto split = std::make_shared<std::string>(), kind = std::make_shared<std::string>();
   command
       ->add_option(
@@ -229,8 +240,9 @@ void add_force(CLI::App& program, Chosen& chosen) {
                              ->type_name("RECORDING");
   CLI::Option* gauge = command->add_option(
       "--gauge", options->gauge,
-      "With --collect: gauge CSV with t_s or frame, fx_n, fy_n (or force_n alone), or truth.json "
-      "of alltact simulate (default: RECORDING's NAME.gauge.csv)");
+      "With --collect: gauge table with t_s or frame, fx_n, fy_n (or force_n alone), or truth.json "
+      "of alltact simulate (default: RECORDING's NAME.gauge.csv). Commas, semicolons or tabs, "
+      "decimal points or commas, units in the names as 'Zeit [ms]' or 'Load (lbf)', time stamps");
   gauge->type_name("FILE");
   CLI::Option* output =
       command->add_option("-o,--output", options->output, "With --collect: table file to write");

@@ -9,7 +9,9 @@
 #include "core/image/image_file.h"
 #include "core/numerics/readable_numbers.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <Eigen/Dense>
 #include <fmt/format.h>
@@ -208,6 +210,24 @@ class RecordedPose {
   }
   [[nodiscard]] bool is_logged() const { return log_.has_value(); }
 
+  /// Error: no frame was taken while the motor was logged.
+  [[nodiscard]] Status check_times(const std::vector<RecordedContacts>& frames) const {
+    if (!log_) return {};
+    std::int64_t first_ns = std::numeric_limits<std::int64_t>::max(), last_ns = -first_ns;
+    for (const RecordedContacts& frame : frames)
+      if (frame.time_ns)
+        first_ns = std::min(first_ns, *frame.time_ns), last_ns = std::max(last_ns, *frame.time_ns);
+    if (first_ns > last_ns || (first_ns <= log_->last_ns() && last_ns >= log_->first_ns()))
+      return {};
+    const auto seconds = [](std::int64_t ns) { return 1e-9 * static_cast<double>(ns); };
+    return Error{en::say("the motor's log runs from {:g} to {:g} s, the frames from {:g} to {:g} s",
+                         seconds(log_->first_ns()), seconds(log_->last_ns()), seconds(first_ns),
+                         seconds(last_ns)),
+                 *options_.motor_log,
+                 en::say("times on the clock of the frames, and their unit in the column's name, "
+                         "as t_ms")};
+  }
+
  private:
   const Gripper& gripper_;
   const GripperOptions& options_;
@@ -222,6 +242,7 @@ Status print_recorded(const Gripper& gripper, const RecordedPose& pose_of,
     auto read = read_recorded_contacts(files[i]);
     if (!read) return read.error();
     seen[i] = std::move(*read);
+    if (const Status reached = pose_of.check_times(seen[i]); !reached) return reached;
   }
   const PairedFrames paired =
       paired_frames(seen[0], seen[1], std::llround(1e6 * options.tolerance_ms));
@@ -281,6 +302,9 @@ Status run_gripper(const GripperOptions& options, Console& console) {
   if (options.motor_log) {
     auto read = MotorLog::load(*options.motor_log);
     if (!read) return read.error();
+    console.say(read->understood().english());
+    for (const Message& remark : read->remarks()) console.warn(remark.english());
+    console.answer()["motor_log_read_as"] = read->understood().english();
     log = std::move(*read);
   }
   if (options.motor_turns) {
@@ -323,8 +347,9 @@ void add_gripper(CLI::App& program, Chosen& chosen) {
           ->expected(2);
   CLI::Option* log = command
                          ->add_option("--motor-log", options->motor_log,
-                                      "Motor positions during that recording: a CSV file of "
-                                      "time_ns,turns on the clock of the frames")
+                                      "Motor positions during that recording: a table of time_ns "
+                                      "and turns on the clock of the frames; other units stand in "
+                                      "the names, as t_ms and 'angle [deg]'")
                          ->type_name("FILE")
                          ->needs(results)
                          ->excludes(motor);

@@ -3,8 +3,8 @@
 #include "calibration/force/force_table.h"
 #include "core/base/atomic_file.h"
 #include "core/base/message.h"
+#include "core/base/table.h"
 #include "core/devices/gauge_log.h"
-#include "core/devices/gauge_source.h"
 #include "core/numerics/median.h"
 #include "core/open/open_source.h"
 #include "core/sensing/pipeline.h"
@@ -23,6 +23,7 @@ namespace {
 
 constexpr double kMinStillPx = 0.3, kMaxStillPx = 1.5, kStillNoise = 4;
 constexpr double kAroundEnter_s = 0.15, kNearestFrame_s = 0.5;
+constexpr double kMaxTime_s = 1e12, kMaxForce_N = 1e5;
 
 /// Root mean square distance of the markers seen in both; nullopt: none.
 std::optional<double> distance_px(const Markers& one, const Markers& two) {
@@ -198,6 +199,77 @@ double median_sd_N(const std::vector<std::pair<const MarkerFrame*, GaugeReading>
   return sds.empty() ? std::numeric_limits<double>::quiet_NaN() : upper_median(sds);
 }
 
+/// First and last time, and the median distance of neighbouring ones.
+struct Span {
+  double first_s = 0, last_s = 0, step_s = 0;
+  [[nodiscard]] double length_s() const { return last_s - first_s; }
+};
+
+template <class Times>
+Span span_of(const Times& times, auto time_of) {
+  Span span{time_of(times.front()), time_of(times.back()), 0};
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < times.size(); ++i)
+    steps.push_back(time_of(times[i]) - time_of(times[i - 1]));
+  if (!steps.empty()) span.step_s = upper_median(steps);
+  return span;
+}
+
+/// The times in the gauge's file are in another unit than they are read in. Evidence: by a known
+/// unit's factor both recordings have a similar length, and the readings are farther apart than any
+/// gauge's that can be interpolated, or closer than any gauge's.
+std::optional<Error> wrong_time_unit(const ForceGauge& gauge, const Span& of_gauge,
+                                     const Span& of_frames) {
+  constexpr double kSimilar = 5, kMinStep_s = 2e-4;
+  const bool is_sparse = of_gauge.step_s > kLongestGaugeGapS;
+  if (gauge.time_column.empty() || gauge.is_on_frame_clock || gauge.readings.size() < 3 ||
+      !(of_frames.length_s() > 0) || !(is_sparse || of_gauge.step_s < kMinStep_s))
+    return std::nullopt;
+  const double ratio = of_gauge.length_s() / of_frames.length_s();
+  struct Unit {
+    const char* symbol;
+    double factor;
+  };
+  std::optional<Unit> meant;
+  double nearest = std::log(kSimilar);
+  for (const char* symbol : {"ns", "us", "ms", "s", "min", "h", "d"}) {
+    const double factor = gauge.time_unit_s / measurement_unit(Measure::kTime, symbol)->convert(1);
+    const double away = std::abs(std::log(ratio / factor));
+    if (away < nearest && (factor > kSimilar) == is_sparse && std::abs(std::log(factor)) > 1)
+      nearest = away, meant = Unit{symbol, factor};
+  }
+  if (!meant) return std::nullopt;
+  const Message spans =
+      en::say("the gauge's times run from {:g} to {:g} s, those of the images from {:g} to {:g} s",
+              of_gauge.first_s, of_gauge.last_s, of_frames.first_s, of_frames.last_s);
+  const double times = std::max(meant->factor, 1 / meant->factor);
+  return Error{
+      en::say("{}: the unit is wrong by a factor of {:g}", spans, times), gauge.origin,
+      en::say("naming the column '{}' 't_{}' if its times are in {}", printable(gauge.time_column),
+              std::string(meant->symbol), std::string(meant->symbol))};
+}
+
+/// The reason why no frame has a reading.
+Error no_reading(const std::vector<MarkerFrame>& frames, const ForceGauge& gauge,
+                 const GaugeClock& clock) {
+  if (!gauge.by_time)
+    return Error{en::say("no frame has a reading: the gauge's file names '{}', the recording '{}'",
+                         printable(gauge.readings.front().frame), printable(frames.front().name)),
+                 gauge.origin, en::say("the names of the images in the column 'frame'")};
+  const Span of_gauge = span_of(gauge.readings, [](const GaugeReading& r) { return r.time_s; });
+  if (of_gauge.step_s > kLongestGaugeGapS)
+    return Error{en::say("no frame has a reading: the readings are {:.3g} s apart, at most {} s "
+                         "can be interpolated",
+                         of_gauge.step_s, kLongestGaugeGapS),
+                 gauge.origin, en::say("a higher rate of the gauge")};
+  return Error{
+      en::say("no frame has a reading: the gauge's times run from {:g} to {:g} s, those of "
+              "the images on its clock from {:g} to {:g} s",
+              of_gauge.first_s, of_gauge.last_s, clock.gauge_time_s(*frames.front().time_s),
+              clock.gauge_time_s(*frames.back().time_s)),
+      gauge.origin, en::say("a gauge that records with the camera, or --gauge-shift-s")};
+}
+
 std::vector<MarkerFrame> in_order(const std::vector<MarkerFrame>& frames) {
   std::vector<MarkerFrame> ordered = frames;
   std::stable_sort(ordered.begin(), ordered.end(), [](const MarkerFrame& a, const MarkerFrame& b) {
@@ -216,8 +288,14 @@ Result<CollectedForce> collect_force(const std::vector<MarkerFrame>& all, const 
     return Error{en::say("the recording's frames have no times, the gauge has only times"), "",
                  en::say("a recording of alltact record, or a gauge file with a column 'frame'")};
   const std::vector<MarkerFrame> frames = all_timed ? in_order(all) : all;
+  if (gauge.by_time && !frames.empty())
+    if (auto wrong = wrong_time_unit(
+            gauge, span_of(gauge.readings, [](const GaugeReading& r) { return r.time_s; }),
+            span_of(frames, [](const MarkerFrame& frame) { return *frame.time_s; })))
+      return *wrong;
   CollectedForce collected;
   collected.frames = frames.size();
+  collected.remarks = gauge.remarks;
   collected.clock = estimate_gauge_clock(frames, gauge, options, collected.remarks);
   const GaugeLookup lookup(frames, gauge, collected.clock);
   std::vector<std::pair<const MarkerFrame*, GaugeReading>> rows;
@@ -230,6 +308,7 @@ Result<CollectedForce> collect_force(const std::vector<MarkerFrame>& all, const 
     else
       ++collected.left_out;
   }
+  if (rows.empty() && !frames.empty()) return no_reading(frames, gauge, collected.clock);
   collected.reading_sd_N = median_sd_N(rows);
   ForceTable& table = collected.table;
   const auto count = static_cast<Eigen::Index>(rows.size());
@@ -262,189 +341,215 @@ Result<CollectedForce> collect_force(const std::vector<MarkerFrame>& all, const 
 namespace {
 
 Message gauge_advice() {
-  return en::say("a CSV whose first line names t_s (or frame), fx_n and fy_n");
+  return en::say("a table whose head names t_s (or frame), and fx_n and fy_n or force_n");
 }
 
-Error wrong_gauge(Message what, const std::filesystem::path& origin, int line) {
-  return {std::move(what), en::say("{}, line {}", origin, line), gauge_advice()};
+/// Columns of a gauge's file, with names of gauges' own programs and those that people choose.
+TableFormat gauge_format(const GaugeFileOptions& options) {
+  using Names = std::vector<std::string_view>;
+  const auto force = [&](const char* key, const Names& names, const Names& names_with_unit) {
+    return TableColumnKind{.key = key,
+                           .measure = Measure::kForce,
+                           .names = names,
+                           .names_with_unit = names_with_unit,
+                           .unit = {options.unit_N, 1, ""}};
+  };
+  return {{{"t_s",
+            Measure::kTime,
+            {"time",      "zeit",        "timestamp",     "timestamps",   "zeitstempel",
+             "datetime",  "dateandtime", "datetimestamp", "datumzeit",    "datumuhrzeit",
+             "uhrzeit",   "elapsed",     "elapsedtime",   "timeelapsed",  "testtime",
+             "runtime",   "reltime",     "relativetime",  "relativezeit", "messzeit",
+             "laufzeit",  "sampletime",  "xvalue",        "epoch",        "unixtime",
+             "posixtime", "temps",       "horodatage",    "tiempo",       "tempo",
+             "zaman",     "süre",        "时间",          "时间戳",       "時間"}},
+           {"date", {}, {"datum", "fecha", "data", "tarih", "日期"}},
+           {"frame", {}, {"framename", "image", "imagename", "bild", "filename"}},
+           force("fx_n",
+                 {"forcex", "xforce", "forcefx", "forceinx", "loadx", "xload", "kraftx", "xkraft",
+                  "kraftfx", "kraftinx", "effortx", "fuerzax", "forzax", "kuvvetx", "x力", "力x"},
+                 {"x"}),
+           force("fy_n",
+                 {"forcey", "yforce", "forcefy", "forceiny", "loady", "yload", "krafty", "ykraft",
+                  "kraftfy", "kraftiny", "efforty", "fuerzay", "forzay", "kuvvety", "y力", "力y"},
+                 {"y"}),
+           force("fz_n",
+                 {"forcez", "zforce", "forcefz", "forceinz", "loadz", "zload", "kraftz", "zkraft",
+                  "kraftfz", "kraftinz", "effortz", "fuerzaz", "forzaz", "kuvvetz", "z力", "力z"},
+                 {"z"}),
+           force("force_n",
+                 {"f", "forcevalue", "load", "loadvalue", "kraft", "messkraft", "last", "effort",
+                  "charge", "fuerza", "carga", "forza", "força", "kuvvet", "yük", "力", "力值",
+                  "载荷", "荷重"},
+                 {"reading", "value", "measurement", "messwert", "wert", "valeur", "channel1",
+                  "ch1", "kanal1", "读数"}),
+           {"sd_n", Measure::kForce},
+           {"holds"},
+           {"along_mm", Measure::kLength},
+           {"across_mm", Measure::kLength},
+           {"block"},
+           {"day"},
+           {"indenter"}},
+          gauge_advice()};
 }
 
-/// Indices of the gauge's columns; -1: missing.
-struct GaugeColumns {
-  std::map<std::string, int> at;
-  std::array<double, 3> unit_N{1, 1, 1};
-  bool is_single = false;  ///< one force along a direction
-  double time_unit_s = 1;
-  [[nodiscard]] int operator[](const char* name) const {
-    const auto found = at.find(name);
-    return found == at.end() ? -1 : found->second;
-  }
-};
-
-/// Parses "fx_kgf", "Fx [kgf]", "force (g)": the name before the unit, and newtons per unit;
-/// without a unit, `unit_N`. nullopt: no column of forces.
-std::optional<std::pair<std::string, double>> force_column(std::string_view cell, double unit_N) {
-  const std::size_t end = std::min(cell.find_first_of(" _([/"), cell.size());
-  std::string name;
-  for (const char c : cell.substr(0, end))
-    name += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  if (name == "force" || name == "load") name = "f";
-  if (name != "f" && name != "fx" && name != "fy" && name != "fz") return std::nullopt;
-  std::string unit;
-  for (const char c : cell.substr(end))
-    if (std::string_view(" _()[]/").find(c) == std::string_view::npos) unit += c;
-  if (unit.empty()) return std::pair{name, unit_N};
-  const auto newtons = newtons_in(unit);
-  return newtons ? std::optional(std::pair{name, *newtons}) : std::nullopt;
-}
-
-/// Seconds in the unit of a column "t", "t_ms", "time_ns"; nullopt: no column of times.
-std::optional<double> time_column(std::string_view cell) {
-  std::string name;
-  for (const char c : cell)
-    name += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c == ' ' ? '_' : c;
-  for (const char* word : {"time", "t"}) {
-    if (!name.starts_with(word)) continue;
-    const std::string unit = name.substr(std::string_view(word).size());
-    if (unit.empty() || unit == "_s" || unit == "_(s)" || unit == "_[s]") return 1.0;
-    if (unit == "_ms" || unit == "_(ms)") return 1e-3;
-    if (unit == "_us") return 1e-6;
-    if (unit == "_ns") return 1e-9;
-  }
-  return std::nullopt;
+/// An image's name as frames have it: without its folder and the extension of an image.
+std::string frame_name(std::string_view text) {
+  const std::size_t slash = text.find_last_of("/\\");
+  if (slash != std::string_view::npos) text.remove_prefix(slash + 1);
+  for (const std::string_view extension :
+       {".png", ".jpg", ".jpeg", ".tif", ".tiff", ".bmp", ".pgm"})
+    if (text.ends_with(extension))
+      return std::string(text.substr(0, text.size() - extension.size()));
+  return std::string(text);
 }
 
 class GaugeReader {
  public:
-  GaugeReader(std::string_view csv, const std::filesystem::path& origin,
-              const GaugeFileOptions& options)
-      : lines_(csv), origin_(origin), options_(options) {
-    gauge_.is_on_frame_clock = csv.starts_with(kGaugeLogFormat);
+  GaugeReader(Table table, const std::filesystem::path& origin, const GaugeFileOptions& options)
+      : table_(std::move(table)), options_(options) {
+    gauge_.origin = origin;
   }
 
   Result<ForceGauge> read() {
-    if (Status head = read_head(); !head) return head.error();
-    while (const auto line = next_line())
-      if (Status status = read_line(lines_.cells(*line)); !status) return status.error();
+    if (const Status head = read_head(); !head) return head.error();
+    for (auto more = table_.next();; more = table_.next()) {
+      if (!more) return more.error();
+      if (!*more) break;
+      if (const Status row = read_row(); !row) return row.error();
+    }
     const auto any = [&](auto has) {
       return std::any_of(gauge_.readings.begin(), gauge_.readings.end(), has);
     };
     gauge_.has_block = any([](const GaugeReading& one) { return !one.block.empty(); });
     gauge_.has_indenter = any([](const GaugeReading& one) { return !one.indenter.empty(); });
     if (!any([](const GaugeReading& one) { return one.has_force; }))
-      return Error{en::say("the gauge's file holds no reading"), origin_, gauge_advice()};
+      return Error{en::say("the gauge's file holds no reading"), gauge_.origin, gauge_advice()};
+    gauge_.understood = table_.understood();
+    gauge_.remarks = table_.remarks();
+    if (gauge_.by_time && !table_.has_time_stamps()) {
+      const Table::Column& time = table_.columns()[static_cast<std::size_t>(time_)];
+      gauge_.time_column = time.name;
+      gauge_.time_unit_s = time.unit.value_or(MeasurementUnit()).convert(1);
+    }
     return std::move(gauge_);
   }
 
  private:
-  [[nodiscard]] Error wrong(Message what) const {
-    return wrong_gauge(std::move(what), origin_, lines_.number());
-  }
-
-  std::optional<std::string_view> next_line() {
-    auto line = lines_.next();
-    while (line && line->starts_with('#')) line = lines_.next();
-    return line;
-  }
-
   Status read_head() {
-    const auto line = next_line();
-    if (!line) return Error{en::say("the gauge's file is empty"), origin_, gauge_advice()};
-    for (const std::string_view cell : lines_.cells(*line)) {
-      std::string name = csv_column(cell);
-      if (const auto time = time_column(cell)) {
-        name = "t";
-        columns_.time_unit_s = *time;
-      } else if (const auto force = force_column(cell, options_.unit_N)) {
-        name = force->first;
-        columns_.unit_N[name == "fy" ? 1 : name == "fz" ? 2 : 0] = force->second;
-      } else if (name == "fx" || name == "fy" || name == "fz" || name == "f") {
-        return wrong(en::say("the column '{}' has no unit of force", printable(cell)));
-      }
-      if (!columns_.at.emplace(name, static_cast<int>(count_++)).second)
-        return wrong(en::say("the column '{}' appears twice", printable(cell)));
+    for (const char* key : {"fx_n", "fy_n", "fz_n"}) force_.push_back(table_.find(key));
+    if (const int single = table_.find("force_n"); single >= 0 && force_[0] < 0 && force_[1] < 0) {
+      is_single_ = true;
+      force_ = {single};
+      table_.ignore("fz_n");
+    } else {
+      for (const std::size_t axis : {0U, 1U})
+        if (force_[axis] < 0) return table_.missing(axis == 0 ? "fx_n" : "fy_n");
+      if (force_[2] < 0) force_.pop_back();
+      table_.ignore("force_n");
     }
-    columns_.is_single = columns_["f"] >= 0 && columns_["fx"] < 0 && columns_["fy"] < 0;
-    for (const char* axis : {"fx", "fy"})
-      if (columns_[axis] < 0 && !columns_.is_single)
-        return wrong(en::say("the column '{}' is missing", std::string(axis) + "_n"));
-    gauge_.axes = columns_["fz"] >= 0 || columns_.is_single ? 3 : 2;
-    gauge_.by_time = columns_["t"] >= 0 && columns_["frame"] < 0;
-    if (columns_["t"] < 0 && columns_["frame"] < 0)
-      return wrong(en::say("there is neither a column 't_s' nor a column 'frame'"));
-    if ((columns_["along"] < 0) != (columns_["across"] < 0))
-      return wrong(en::say("the contact position has only one of along_mm and across_mm"));
-    gauge_.has_block = columns_["block"] >= 0, gauge_.has_day = columns_["day"] >= 0;
-    gauge_.has_indenter = columns_["indenter"] >= 0;
+    frame_ = table_.find("frame");
+    time_ = table_.find("t_s"), date_ = table_.find("date");
+    if (time_ < 0) time_ = std::exchange(date_, -1);
+    if (frame_ < 0 && time_ < 0) return table_.missing("t_s");
+    gauge_.by_time = frame_ < 0;
+    if (!gauge_.by_time) table_.ignore("t_s"), table_.ignore("date");
+    gauge_.axes = is_single_ ? 3 : static_cast<int>(force_.size());
+    along_ = table_.find("along_mm"), across_ = table_.find("across_mm");
+    if ((along_ < 0) != (across_ < 0))
+      return table_.wrong_head(
+          en::say("the contact position has only one of along_mm and across_mm"));
+    sd_ = table_.find("sd_n"), holds_ = table_.find("holds");
+    block_ = table_.find("block"), day_ = table_.find("day"), indenter_ = table_.find("indenter");
+    gauge_.has_day = day_ >= 0;
     return {};
   }
 
-  Status read_line(const std::vector<std::string_view>& cells) {
-    if (cells.size() != count_) return wrong(en::say("has {} cells, not {}", cells.size(), count_));
-    const auto cell = [&](const char* name) {
-      return columns_[name] < 0 ? std::string_view()
-                                : cells[static_cast<std::size_t>(columns_[name])];
-    };
+  Status read_row() {
     GaugeReading reading;
-    if (Status status = read_force(cells, reading); !status) return status;
-    if (gauge_.by_time) {
-      const auto time = lines_.number_in(cell("t"));
-      if (!time) return wrong(en::say("'{}' is not a time", printable(cell("t"))));
-      reading.time_s = *time * columns_.time_unit_s;
-      if (!gauge_.readings.empty() && reading.time_s <= gauge_.readings.back().time_s)
-        return wrong(
-            en::say("{} s comes after {} s", reading.time_s, gauge_.readings.back().time_s));
-    }
-    if (!cell("along").empty() || !cell("across").empty()) {
-      const auto along = lines_.number_in(cell("along")), across = lines_.number_in(cell("across"));
-      if (!along || !across) return wrong(en::say("the contact position is not a pair of numbers"));
+    if (const Status force = read_force(reading); !force) return force;
+    if (const Status key = gauge_.by_time ? read_time(reading) : read_frame(reading); !key)
+      return key;
+    if (!text(along_).empty() || !text(across_).empty()) {
+      const auto along = table_.number(along_), across = table_.number(across_);
+      if (!along) return along.error();
+      if (!across) return across.error();
       reading.position_mm = Eigen::Vector2d(*along, *across);
     }
-    reading.frame = cell("frame"), reading.block = cell("block"), reading.day = cell("day");
-    reading.indenter = cell("indenter");
+    if (!text(sd_).empty()) {
+      const auto sd = table_.number(sd_);
+      if (!sd) return sd.error();
+      reading.sd_N = *sd;
+    }
+    reading.holds = text(holds_) == "1";
+    if (!reading.holds && !text(holds_).empty() && text(holds_) != "0")
+      return table_.wrong(en::say("'{}' is neither 1 nor 0", printable(text(holds_))), holds_);
+    reading.block = text(block_), reading.day = text(day_), reading.indenter = text(indenter_);
     gauge_.readings.push_back(std::move(reading));
     return {};
   }
 
-  /// Empty cells: no force from then on.
-  Status read_force(const std::vector<std::string_view>& cells, GaugeReading& reading) {
-    static constexpr std::array<const char*, 3> kAxes{"fx", "fy", "fz"};
-    const auto cell = [&](const char* name) {
-      return cells[static_cast<std::size_t>(columns_[name])];
-    };
-    const auto number = [&](const char* name, double unit_N) -> Result<double> {
-      const auto force = lines_.number_in(cell(name));
-      if (!force || std::abs(*force * unit_N) > 1e5)
-        return wrong(en::say("'{}' is not a force", printable(cell(name))));
-      return *force * unit_N;
-    };
-    const int values = columns_.is_single ? 1 : gauge_.axes;
-    const auto name_of = [&](int value) {
-      return columns_.is_single ? "f" : kAxes[static_cast<std::size_t>(value)];
-    };
-    int empty = 0;
-    for (int value = 0; value < values; ++value) empty += cell(name_of(value)).empty() ? 1 : 0;
-    reading.has_force = empty < values;
-    for (int value = 0; value < values && reading.has_force; ++value) {
-      const auto force = number(name_of(value), columns_.unit_N[static_cast<std::size_t>(value)]);
-      if (!force) return force.error();
-      if (columns_.is_single)
-        reading.force_N = *force * options_.direction;
-      else
-        reading.force_N[value] = *force;
-    }
-    if (columns_["sd"] >= 0)
-      reading.sd_N =
-          lines_.number_in(cell("sd")).value_or(std::numeric_limits<double>::quiet_NaN());
-    reading.holds = columns_["holds"] >= 0 && cell("holds") == "1";
+  Status read_time(GaugeReading& reading) {
+    const auto time = table_.time_s(time_, date_);
+    if (!time) return time.error();
+    if (std::abs(*time) > kMaxTime_s) return beyond_range(time_);
+    reading.time_s = *time;
+    const std::string cell = printable(text(time_));
+    if (!gauge_.readings.empty() && *time == gauge_.readings.back().time_s)
+      return table_.wrong(en::say("the time '{}' is that of line {}, too", cell, last_line_),
+                          time_);
+    if (!gauge_.readings.empty() && *time < gauge_.readings.back().time_s)
+      return table_.wrong(en::say("the time '{}' comes after '{}' of line {}, which is later", cell,
+                                  last_time_, last_line_),
+                          time_);
+    last_line_ = table_.line(), last_time_ = cell;
     return {};
   }
 
-  CsvLines lines_;
-  std::filesystem::path origin_;
+  Status read_frame(GaugeReading& reading) {
+    reading.frame = frame_name(text(frame_));
+    if (reading.frame.empty())
+      return table_.wrong(en::say("the name of the frame is missing"), frame_);
+    const auto [same, is_new] = line_of_frame_.emplace(reading.frame, table_.line());
+    if (is_new) return {};
+    return table_.wrong(
+        en::say("the frame '{}' is that of line {}, too", printable(text(frame_)), same->second),
+        frame_);
+  }
+
+  /// Empty cells: no force from then on.
+  Status read_force(GaugeReading& reading) {
+    reading.has_force = std::any_of(force_.begin(), force_.end(),
+                                    [&](int column) { return !text(column).empty(); });
+    for (std::size_t i = 0; i < force_.size() && reading.has_force; ++i) {
+      const auto force = table_.number(force_[i]);
+      if (!force) return force.error();
+      if (std::abs(*force) > kMaxForce_N) return beyond_range(force_[i]);
+      if (is_single_)
+        reading.force_N = *force * options_.direction;
+      else
+        reading.force_N[static_cast<Eigen::Index>(i)] = *force;
+    }
+    return {};
+  }
+
+  [[nodiscard]] std::string_view text(int column) const {
+    return column < 0 ? std::string_view() : table_.text(column);
+  }
+  [[nodiscard]] Error beyond_range(int column) const {
+    return table_.wrong(en::say("'{}' is beyond the measurable range", printable(text(column))),
+                        column);
+  }
+
+  Table table_;
   GaugeFileOptions options_;
-  GaugeColumns columns_;
-  std::size_t count_ = 0;
+  bool is_single_ = false;  // one force along a direction
+  std::vector<int> force_;  // columns
+  int time_ = -1, date_ = -1, frame_ = -1, sd_ = -1, holds_ = -1, along_ = -1, across_ = -1;
+  int block_ = -1, day_ = -1, indenter_ = -1;
+  std::map<std::string, int> line_of_frame_;
+  int last_line_ = 0;
+  std::string last_time_;
   ForceGauge gauge_;
 };
 
@@ -477,7 +582,11 @@ bool add_contact(const nlohmann::json& contact, double& greatest_N, GaugeReading
 
 Result<ForceGauge> ForceGauge::parse_csv(std::string_view csv, const std::filesystem::path& origin,
                                          const GaugeFileOptions& options) {
-  return GaugeReader(csv, origin, options).read();
+  auto table = Table::open(csv, origin, gauge_format(options));
+  if (!table) return table.error();
+  auto gauge = GaugeReader(std::move(*table), origin, options).read();
+  if (gauge) gauge->is_on_frame_clock = csv.starts_with(kGaugeLogFormat);
+  return gauge;
 }
 
 Result<ForceGauge> ForceGauge::parse_truth(std::string_view text,
@@ -490,6 +599,7 @@ Result<ForceGauge> ForceGauge::parse_truth(std::string_view text,
   if (!json.is_object() || !json.contains("frames") || !json.at("frames").is_array())
     return wrong(en::say("holds no frames of a simulation"));
   ForceGauge gauge;
+  gauge.origin = origin;
   gauge.axes = 3;
   bool any_force = false;
   for (const nlohmann::json& frame : json.at("frames")) {
@@ -595,7 +705,8 @@ Result<std::vector<MarkerFrame>> frames_from_file(const std::filesystem::path& f
 }
 
 Result<std::vector<MarkerFrame>> measured_frames(const std::vector<std::filesystem::path>& inputs,
-                                                 const FingerSnapshot& finger, const Job& job) {
+                                                 const FingerSnapshot& finger, const Job& job,
+                                                 std::vector<Message>* remarks) {
   auto source = open_source(inputs);
   if (!source) return source.error();
   auto pipeline = Pipeline::create(finger, {}, job);
@@ -614,24 +725,26 @@ Result<std::vector<MarkerFrame>> measured_frames(const std::vector<std::filesyst
     if (!result) return result.error();
     if (!result->markers) continue;
     MarkerFrame one{(*frame)->name, std::nullopt, std::move(*result->markers), std::nullopt};
-    if ((*frame)->time_ns != 0) one.time_s = 1e-9 * static_cast<double>((*frame)->time_ns);
+    one.time_s = time_s(**frame);
     if (!result->regions.empty()) one.position_mm = result->regions.front().position_on_face_mm;
     frames.push_back(std::move(one));
   }
   if (frames.empty())
     return Error{en::say("the markers were found in no frame"), inputs.front(),
                  en::say("alltact reconstruct, which reports why")};
+  if (remarks != nullptr) *remarks = (*source)->remarks();
   return frames;
 }
 
 }  // namespace
 
 Result<std::vector<MarkerFrame>> marker_frames(const std::vector<std::filesystem::path>& inputs,
-                                               const FingerSnapshot& finger, const Job& job) {
+                                               const FingerSnapshot& finger, const Job& job,
+                                               std::vector<Message>* remarks) {
   if (inputs.size() == 1)
     if (const auto ending = inputs.front().extension(); ending == ".jsonl" || ending == ".json")
       return frames_from_file(inputs.front());
-  return measured_frames(inputs, finger, job);
+  return measured_frames(inputs, finger, job, remarks);
 }
 
 }  // namespace alltact

@@ -41,18 +41,27 @@ struct GaugeFileOptions {
 
 /// Readings of a force gauge. Its file is
 ///   NAME.gauge.csv of `alltact record --gauge`; or
-///   a CSV with fx_n, fy_n[, fz_n] (or fx_gf, "fx (kgf)" and so on), or force_n alone, and either
-///     t_s (t_ms, time_ns) or frame (readings typed with an image's name), and optionally sd_n,
-///     holds, along_mm and across_mm, block, day, indenter; lines that begin with '#' are remarks,
-///     lines with empty forces mean that there is none from then on; or
+///   a table of any form that core/base/table.h describes, with fx_n, fy_n[, fz_n] or force_n
+///   alone,
+///     and either t_s or frame (readings typed with an image's name), and optionally sd_n, holds,
+///     along_mm and across_mm, block, day, indenter. Many other names ("Zeit [ms]", "Load (lbF)")
+///     and time stamps are read too. Lines with empty forces mean that there is none from then on;
+///     or
 ///   truth.json of `alltact simulate`: the forces of a frame's contacts, summed; a frame without a
 ///     contact has none, and the position is that of the greatest force.
+/// Errors name the line: those of Table; a force or time that is missing or impossible; times that
+/// do not ascend.
 struct ForceGauge {
   int axes = 2;
   bool by_time = false;                ///< ascending time_s; false: by frame
   bool is_on_frame_clock = false;      ///< recorded with the frames; false: the clock is estimated
   std::vector<GaugeReading> readings;  ///< not empty
   bool has_block = false, has_day = false, has_indenter = false;
+  std::filesystem::path origin;
+  Message understood;            ///< Table::understood(); empty: no table
+  std::vector<Message> remarks;  ///< Table::remarks()
+  std::string time_column;       ///< empty: none, or time stamps
+  double time_unit_s = 1;        ///< as understood
 
   static Result<ForceGauge> load(const std::filesystem::path& file,
                                  const GaugeFileOptions& options = {});
@@ -71,8 +80,10 @@ struct MarkerFrame {
 
 /// Markers of a recording: results.jsonl of `alltact reconstruct`, truth.json of `alltact
 /// simulate`, or any input of open_source(), measured now. Frames without markers are left out.
+/// `remarks`: those of the source.
 [[nodiscard]] Result<std::vector<MarkerFrame>> marker_frames(
-    const std::vector<std::filesystem::path>& inputs, const FingerSnapshot& finger, const Job& job);
+    const std::vector<std::filesystem::path>& inputs, const FingerSnapshot& finger, const Job& job,
+    std::vector<Message>* remarks = nullptr);
 
 /// Relation of the gauge's clock to the frames': gauge = frame + shift_s + drift (frame - first_s).
 /// A delayed gauge has a shift above 0.
@@ -114,7 +125,8 @@ struct CollectedForce {
 /// Assigns readings by name or by time. By time it interpolates the two readings around the frame,
 /// at most `kLongestGaugeGapS` apart, or takes the one that is held. Where the gauge has no blocks,
 /// the presses are blocks: from one moment without load to the next. Errors: markers without times
-/// for a gauge that has only times; errors of ForceTable::parse_part.
+/// for a gauge that has only times; times of the gauge in another unit than its column states, by
+/// the spans of both and the distance of the readings; no frame with a reading, and why.
 [[nodiscard]] Result<CollectedForce> collect_force(const std::vector<MarkerFrame>& frames,
                                                    const ForceGauge& gauge,
                                                    const CollectOptions& options = {});

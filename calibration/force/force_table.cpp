@@ -2,10 +2,10 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/message.h"
+#include "core/base/table.h"
 #include "core/numerics/philox.h"
 
 #include <algorithm>
-#include <charconv>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -16,199 +16,147 @@ namespace alltact {
 namespace {
 
 constexpr int kMaxTableMarkers = 512;
-constexpr double kFarthestPx = 1e5, kGreatestN = 1e5;
+constexpr double kFarthestPx = 1e5, kFarthestMm = 1e4, kGreatestN = 1e5, kGreatestS = 1e12;
 
 Message table_advice() {
   return en::say(
-      "a CSV whose first line names u0, v0, ..., fx_n, fy_n; alltact force --collect makes one");
+      "a table whose head names u0, v0, ..., fx_n, fy_n; alltact force --collect makes one");
 }
 
-/// Indices of a table's columns; -1: missing.
-struct TableColumns {
-  std::vector<int> u, v, seen;
-  std::vector<int> force;
-  int along = -1, across = -1, time = -1, block = -1, day = -1, indenter = -1, frame = -1;
-  std::size_t count = 0;
-  std::vector<std::string> ignored_columns;
-};
-
-/// Parses "u07" as 'u' and 7.
-std::optional<std::pair<std::string, int>> numbered(const std::string& name) {
-  const std::size_t digits = name.find_first_of("0123456789");
-  if (digits == std::string::npos || digits == 0 || name.size() - digits > 4) return std::nullopt;
-  int number = 0;
-  const auto [end, status] =
-      std::from_chars(name.data() + digits, name.data() + name.size(), number);
-  if (status != std::errc{} || end != name.data() + name.size()) return std::nullopt;
-  const std::string letters = name.substr(0, digits);
-  if (letters == "u" || letters == "x") return std::pair{std::string("u"), number};
-  if (letters == "v" || letters == "y") return std::pair{std::string("v"), number};
-  if (letters == "seen") return std::pair{letters, number};
-  return std::nullopt;
+TableFormat force_format() {
+  return {{{.key = "u_px", .measure = Measure::kPixel, .names = {"x"}, .is_numbered = true},
+           {.key = "v_px", .measure = Measure::kPixel, .names = {"y"}, .is_numbered = true},
+           {.key = "seen", .measure = Measure::kNumber, .is_numbered = true},
+           {"fx_n", Measure::kForce},
+           {"fy_n", Measure::kForce},
+           {"fz_n", Measure::kForce},
+           {"along_mm", Measure::kLength},
+           {"across_mm", Measure::kLength},
+           {"t_s", Measure::kTime, {"time"}},
+           {"block"},
+           {"day"},
+           {"indenter"},
+           {"frame"}},
+          table_advice()};
 }
 
-Result<TableColumns> columns_of(const std::vector<std::string_view>& cells,
-                                const std::filesystem::path& origin) {
-  const auto wrong = [&](Message what) {
-    return Error{std::move(what), en::say("{}, line 1", origin), table_advice()};
-  };
-  std::map<std::string, int> plain, by_number;
-  TableColumns columns;
-  columns.count = cells.size();
-  int highest = -1;
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    std::string name = csv_column(cells[i]);
-    const auto marker = numbered(name);
-    if (marker) {
-      highest = std::max(highest, marker->second);
-      name = fmt::format("{}{}", marker->first, marker->second);
-    }
-    if (!name.empty() && !(marker ? by_number : plain).emplace(name, static_cast<int>(i)).second)
-      return wrong(en::say("the column '{}' appears twice", printable(cells[i])));
-  }
-  if (highest < 0) return wrong(en::say("there are no columns u0, v0, ... of markers"));
-  if (highest >= kMaxTableMarkers)
-    return wrong(en::say("there are markers up to number {}; the highest may be {}", highest,
-                         kMaxTableMarkers - 1));
-  const auto take = [](std::map<std::string, int>& from, const std::string& name) {
-    const auto found = from.find(name);
-    if (found == from.end()) return -1;
-    const int at = found->second;
-    from.erase(found);
-    return at;
-  };
-  bool some_seen = false;
-  for (int m = 0; m <= highest; ++m) {
-    for (auto [letter, list] : {std::pair{"u", &columns.u}, {"v", &columns.v}}) {
-      list->push_back(take(by_number, fmt::format("{}{}", letter, m)));
-      if (list->back() < 0)
-        return wrong(en::say("the column '{}' is missing, though there is a marker {}",
-                             fmt::format("{}{}", letter, m), highest));
-    }
-    columns.seen.push_back(take(by_number, fmt::format("seen{}", m)));
-    some_seen = some_seen || columns.seen.back() >= 0;
-  }
-  for (int m = 0; some_seen && m <= highest; ++m)
-    if (columns.seen[static_cast<std::size_t>(m)] < 0)
-      return wrong(en::say("the column '{}' is missing, though other markers have one",
-                           fmt::format("seen{}", m)));
-  for (const char* axis : {"fx", "fy", "fz"}) {
-    const int at = take(plain, axis);
-    if (at < 0 && columns.force.size() < 2)
-      return wrong(en::say("the column '{}' is missing", fmt::format("{}_n", axis)));
-    if (at >= 0) columns.force.push_back(at);
-  }
-  columns.along = take(plain, "along"), columns.across = take(plain, "across");
-  if ((columns.along < 0) != (columns.across < 0))
-    return wrong(en::say("the contact position has only one of along_mm and across_mm"));
-  columns.time = take(plain, "t");
-  if (columns.time < 0) columns.time = take(plain, "time");
-  columns.block = take(plain, "block"), columns.day = take(plain, "day");
-  columns.indenter = take(plain, "indenter"), columns.frame = take(plain, "frame");
-  for (const auto& [name, at] : plain) columns.ignored_columns.push_back(printable(name));
-  return columns;
-}
-
-class TableReader {
+class ForceTableReader {
  public:
-  TableReader(std::string_view csv, const std::filesystem::path& origin)
-      : lines_(csv), origin_(origin) {}
+  ForceTableReader(Table table, std::filesystem::path origin)
+      : rows_(std::move(table)), origin_(std::move(origin)) {}
 
   Result<ForceTable> read() {
-    const auto first = lines_.next();
-    if (!first) return Error{en::say("the table is empty"), origin_, table_advice()};
-    auto columns = columns_of(lines_.cells(*first), origin_);
-    if (!columns) return columns.error();
-    columns_ = std::move(*columns);
-    while (const auto line = lines_.next())
-      if (Status status = read_row(lines_.cells(*line)); !status) return status.error();
+    if (const Status head = read_head(); !head) return head.error();
+    for (auto more = rows_.next();; more = rows_.next()) {
+      if (!more) return more.error();
+      if (!*more) break;
+      if (const Status row = read_row(); !row) return row.error();
+    }
     return finish();
   }
 
  private:
-  [[nodiscard]] Error wrong(Message what, std::string_view column = {}) const {
-    const Message line = en::say("{}, line {}", origin_, lines_.number());
-    return {std::move(what),
-            column.empty() ? line : en::say("{}, column {}", line, printable(column)),
-            en::say("removing the line, or entering what was measured")};
+  Status read_head() {
+    int highest = -1;
+    for (const Table::Column& column : rows_.columns()) {
+      highest = std::max(highest, column.number);
+      if (column.kind < 0 && !column.name.empty())
+        table_.ignored_columns.push_back(printable(column.name));
+    }
+    if (highest < 0)
+      return rows_.wrong_head(en::say("there are no columns u0, v0, ... of markers"));
+    if (highest >= kMaxTableMarkers)
+      return rows_.wrong_head(en::say("there are markers up to number {}; the highest may be {}",
+                                      highest, kMaxTableMarkers - 1));
+    for (int m = 0; m <= highest; ++m) {
+      u_.push_back(rows_.find("u_px", m)), v_.push_back(rows_.find("v_px", m));
+      seen_.push_back(rows_.find("seen", m));
+      if (u_.back() < 0 || v_.back() < 0)
+        return rows_.wrong_head(en::say("the column '{}' is missing, though there is a marker {}",
+                                        fmt::format("{}{}", u_.back() < 0 ? 'u' : 'v', m),
+                                        highest));
+    }
+    const auto unmarked = std::find(seen_.begin(), seen_.end(), -1);
+    if (unmarked != seen_.end() && seen_ != std::vector<int>(seen_.size(), -1))
+      return rows_.wrong_head(en::say("the column '{}' is missing, though other markers have one",
+                                      fmt::format("seen{}", unmarked - seen_.begin())));
+    for (const char* axis : {"fx_n", "fy_n", "fz_n"}) {
+      const int column = rows_.find(axis);
+      if (column < 0 && force_.size() < 2) return rows_.missing(axis);
+      if (column >= 0) force_.push_back(column);
+    }
+    along_ = rows_.find("along_mm"), across_ = rows_.find("across_mm");
+    if ((along_ < 0) != (across_ < 0))
+      return rows_.wrong_head(
+          en::say("the contact position has only one of along_mm and across_mm"));
+    time_ = rows_.find("t_s");
+    return {};
   }
 
-  Result<double> number(const std::vector<std::string_view>& cells, int at, std::string_view column,
-                        double greatest) const {
-    const std::string_view cell = cells[static_cast<std::size_t>(at)];
-    const auto value = lines_.number_in(cell);
-    if (!value) return wrong(en::say("'{}' is not a number", printable(cell)), column);
-    if (std::abs(*value) > greatest)
-      return wrong(en::say("'{}' is beyond the measurable range", printable(cell)), column);
-    return *value;
+  Result<double> number(int column, double greatest) const {
+    const auto value = rows_.number(column);
+    if (value && std::abs(*value) > greatest) return beyond_range(column);
+    return value;
+  }
+  [[nodiscard]] Error beyond_range(int column) const {
+    return rows_.wrong(
+        en::say("'{}' is beyond the measurable range", printable(rows_.text(column))), column);
   }
 
-  Status read_row(const std::vector<std::string_view>& cells) {
-    if (cells.size() != columns_.count)
-      return wrong(en::say("has {} cells, not {}", cells.size(), columns_.count));
-    if (Status status = read_markers(cells); !status) return status;
-    static constexpr std::array<const char*, 3> kAxes{"fx_n", "fy_n", "fz_n"};
-    for (std::size_t axis = 0; axis < columns_.force.size(); ++axis) {
-      const auto force = number(cells, columns_.force[axis], kAxes[axis], kGreatestN);
+  Status read_row() {
+    if (Status status = read_markers(); !status) return status;
+    for (const int column : force_) {
+      const auto force = number(column, kGreatestN);
       if (!force) return force.error();
-      force_.push_back(*force);
+      force_N_.push_back(*force);
     }
-    if (columns_.time >= 0) {
-      const auto time = number(cells, columns_.time, "t_s", 1e12);
+    if (time_ >= 0) {
+      const auto time = rows_.time_s(time_);
       if (!time) return time.error();
-      time_.push_back(*time);
+      if (std::abs(*time) > kGreatestS) return beyond_range(time_);
+      time_s_.push_back(*time);
     }
-    if (Status status = read_position(cells); !status) return status;
-    for (auto [at, list] : {std::pair{columns_.block, &table_.block},
-                            {columns_.day, &table_.day},
-                            {columns_.indenter, &table_.indenter},
-                            {columns_.frame, &table_.frame}})
-      if (at >= 0) list->emplace_back(cells[static_cast<std::size_t>(at)]);
+    if (Status status = read_position(); !status) return status;
+    for (auto [key, list] : {std::pair{"block", &table_.block},
+                             {"day", &table_.day},
+                             {"indenter", &table_.indenter},
+                             {"frame", &table_.frame}})
+      if (const int column = rows_.find(key); column >= 0) list->emplace_back(rows_.text(column));
     ++count_;
     return {};
   }
 
-  Status read_markers(const std::vector<std::string_view>& cells) {
+  Status read_markers() {
     bool any = false;
-    for (std::size_t m = 0; m < columns_.u.size(); ++m) {
-      const std::string name = fmt::format("u{}", m);
-      const auto u_cell = cells[static_cast<std::size_t>(columns_.u[m])];
-      const auto v_cell = cells[static_cast<std::size_t>(columns_.v[m])];
-      bool seen = !u_cell.empty() || !v_cell.empty();
-      if (columns_.seen[m] >= 0) {
-        const auto flag = number(cells, columns_.seen[m], fmt::format("seen{}", m), 1);
+    for (std::size_t m = 0; m < u_.size(); ++m) {
+      bool seen = !rows_.text(u_[m]).empty() || !rows_.text(v_[m]).empty();
+      if (seen_[m] >= 0) {
+        const auto flag = rows_.number(seen_[m]);
         if (!flag) return flag.error();
-        if (*flag != 0 && *flag != 1) return wrong(en::say("seen must be 1 or 0"), name);
+        if (*flag != 0 && *flag != 1)
+          return rows_.wrong(en::say("'{}' is neither 1 nor 0", printable(rows_.text(seen_[m]))),
+                             seen_[m]);
         seen = *flag == 1;
       }
-      double u = 0, v = 0;
-      if (seen) {
-        const auto there_u = number(cells, columns_.u[m], name, kFarthestPx);
-        if (!there_u) return there_u.error();
-        const auto there_v = number(cells, columns_.v[m], fmt::format("v{}", m), kFarthestPx);
-        if (!there_v) return there_v.error();
-        u = *there_u, v = *there_v;
+      for (const int column : {u_[m], v_[m]}) {
+        const auto position = seen ? number(column, kFarthestPx) : Result<double>(0.0);
+        if (!position) return position.error();
+        layouts_.push_back(*position);
       }
       any = any || seen;
-      layouts_.push_back(u), layouts_.push_back(v);
-      seen_.push_back(seen ? 1 : 0);
+      is_seen_.push_back(seen ? 1 : 0);
     }
-    return any ? Status() : wrong(en::say("no marker was seen"));
+    return any ? Status() : rows_.wrong(en::say("no marker was seen"));
   }
 
-  Status read_position(const std::vector<std::string_view>& cells) {
-    if (columns_.along < 0) return {};
-    const bool known = !cells[static_cast<std::size_t>(columns_.along)].empty() ||
-                       !cells[static_cast<std::size_t>(columns_.across)].empty();
-    for (auto [at, name] :
-         {std::pair{columns_.along, "along_mm"}, {columns_.across, "across_mm"}}) {
-      double position = std::numeric_limits<double>::quiet_NaN();
-      if (known) {
-        const auto there = number(cells, at, name, 1e4);
-        if (!there) return there.error();
-        position = *there;
-      }
-      position_.push_back(position);
+  Status read_position() {
+    if (along_ < 0) return {};
+    const bool known = !rows_.text(along_).empty() || !rows_.text(across_).empty();
+    for (const int column : {along_, across_}) {
+      const auto position = known ? number(column, kFarthestMm)
+                                  : Result<double>(std::numeric_limits<double>::quiet_NaN());
+      if (!position) return position.error();
+      position_mm_.push_back(*position);
     }
     return {};
   }
@@ -221,21 +169,23 @@ class TableReader {
       return Eigen::Map<const ByRow>(numbers.data(), count_,
                                      static_cast<Eigen::Index>(numbers.size()) / count_);
     };
-    table_.marker_count = static_cast<int>(columns_.u.size());
-    table_.axes = static_cast<int>(columns_.force.size());
-    table_.layouts = matrix(layouts_), table_.seen = matrix(seen_);
-    table_.force_N = matrix(force_);
-    if (!position_.empty() && matrix(position_).array().isFinite().any())
-      table_.position_mm = matrix(position_);
-    if (!time_.empty()) table_.time_s = matrix(time_);
-    table_.ignored_columns = columns_.ignored_columns;
+    table_.marker_count = static_cast<int>(u_.size());
+    table_.axes = static_cast<int>(force_.size());
+    table_.layouts = matrix(layouts_), table_.seen = matrix(is_seen_);
+    table_.force_N = matrix(force_N_);
+    if (!position_mm_.empty() && matrix(position_mm_).array().isFinite().any())
+      table_.position_mm = matrix(position_mm_);
+    if (!time_s_.empty()) table_.time_s = matrix(time_s_);
+    table_.understood.push_back(rows_.understood());
+    table_.remarks = rows_.remarks();
     return std::move(table_);
   }
 
-  CsvLines lines_;
+  Table rows_;
   std::filesystem::path origin_;
-  TableColumns columns_;
-  std::vector<double> layouts_, seen_, force_, position_, time_;  // checked cells, row by row
+  std::vector<int> u_, v_, seen_, force_;  // columns
+  int along_ = -1, across_ = -1, time_ = -1;
+  std::vector<double> layouts_, is_seen_, force_N_, position_mm_, time_s_;  // row by row
   ForceTable table_;
   Eigen::Index count_ = 0;
 };
@@ -254,17 +204,6 @@ bool something_moves(const ForceTable& table) {
 }
 
 }  // namespace
-
-std::string csv_column(std::string_view name) {
-  std::string column;
-  for (const char c : name) column += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  for (const char* unit : {"_px", "_mm", "_n", "_s"})
-    if (column.ends_with(unit)) {
-      column.resize(column.size() - std::string_view(unit).size());
-      break;
-    }
-  return column;
-}
 
 Status ForceTable::check(const std::filesystem::path& origin) {
   const auto too_bad = [&](Message what, Message advice) {
@@ -295,7 +234,9 @@ Status ForceTable::check(const std::filesystem::path& origin) {
 
 Result<ForceTable> ForceTable::parse_part(std::string_view csv,
                                           const std::filesystem::path& origin) {
-  return TableReader(csv, origin).read();
+  auto table = Table::open(csv, origin, force_format());
+  if (!table) return table.error();
+  return ForceTableReader(std::move(*table), origin).read();
 }
 
 Result<ForceTable> ForceTable::parse(std::string_view csv, const std::filesystem::path& origin) {
@@ -336,7 +277,7 @@ std::string ForceTable::to_csv() const {
       text += value;
     };
     for (const auto& [name, list] : names)
-      if (!list->empty()) cell((*list)[i]);
+      if (!list->empty()) cell(table_cell((*list)[i]));
     if (time_s.size() > 0) cell(fmt::format("{}", time_s[row]));
     for (int axis = 0; axis < axes; ++axis) cell(fmt::format("{}", force_N(row, axis)));
     for (Eigen::Index k = 0; has_position() && k < 2; ++k)
@@ -484,6 +425,8 @@ void append_table(const ForceTable& part, ForceTable& joined) {
   append_names(part.day, rows, before, joined.day);
   append_names(part.indenter, rows, before, joined.indenter);
   append_names(part.frame, rows, before, joined.frame);
+  joined.understood.insert(joined.understood.end(), part.understood.begin(), part.understood.end());
+  joined.remarks.insert(joined.remarks.end(), part.remarks.begin(), part.remarks.end());
   for (const std::string& name : part.ignored_columns)
     if (std::find(joined.ignored_columns.begin(), joined.ignored_columns.end(), name) ==
         joined.ignored_columns.end())

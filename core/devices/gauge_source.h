@@ -110,9 +110,7 @@ using GaugeOpener = std::function<Result<std::unique_ptr<GaugeSource>>()>;
 // Units of force that gauges use.
 
 /// Newtons in one N, mN, kN, g, gf, kg, kgf, lb, lbf, oz, ozf, in upper or lower case (gauges write
-/// "lbF" and "KN"). A kilogram is its weight at the standard gravity of 9.80665 m/s^2 (3rd CGPM,
-/// 1901), a pound 0.45359237 kg (international yard and pound agreement, 1959), an ounce a
-/// sixteenth of that. nullopt: no unit of force.
+/// "lbF" and "KN"), as core/base/units.h defines them. nullopt: no unit of force.
 [[nodiscard]] std::optional<double> newtons_in(std::string_view unit);
 
 // Readings that a person types, one per line.

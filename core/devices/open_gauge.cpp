@@ -3,6 +3,7 @@
 #include "core/base/atomic_file.h"
 #include "core/base/message.h"
 #include "core/base/result.h"
+#include "core/base/table.h"
 #include "core/devices/gauge_source.h"
 
 #include <algorithm>
@@ -517,15 +518,6 @@ std::optional<double> counts_of(const GaugeReport::Value& value, std::uint32_t b
   return static_cast<double>(number);
 }
 
-std::vector<std::string> table_cells(std::string_view line) {
-  std::vector<std::string> cells(1);
-  for (const char c : line) {
-    if (c == ',') cells.emplace_back();
-    if (c != ',' && c != ' ' && c != '\t' && c != '"' && c != '\r') cells.back() += c;
-  }
-  return cells;
-}
-
 }  // namespace
 
 Result<GaugeReport> GaugeReport::parse(const std::string& text) {
@@ -553,36 +545,37 @@ Result<GaugeReport> GaugeReport::parse(const std::string& text) {
 
 Result<GaugeReport> GaugeReport::parse_table(std::string_view csv,
                                              const std::filesystem::path& origin) {
+  static constexpr std::array<const char*, 6> kKeys{"at", "id", "type", "unit", "scale", "zero"};
+  TableFormat format{{}, report_advice(), report_advice()};
+  for (const std::string key : kKeys)
+    format.kinds.push_back(key == "scale" || key == "zero" ? TableColumnKind{key, Measure::kNumber}
+                                                           : TableColumnKind{key});
+  auto table = Table::open(csv, origin, std::move(format));
+  if (!table) return table.error();
+  const int at = table->find("at");
+  if (at < 0) return table->missing("at");
   GaugeReport report;
   Value value;  // empty cells repeat the line above
-  std::vector<std::string> names;
-  std::istringstream lines{std::string(csv)};
-  int number = 0;
-  for (std::string line; std::getline(lines, line);) {
-    ++number;
-    const Where where = en::say("{}, line {}", origin, number);
-    auto cells = table_cells(line);
-    if (cells == std::vector<std::string>{""} || line.starts_with('#')) continue;
-    if (names.empty()) {
-      names = std::move(cells);
-      continue;
+  for (auto more = table->next();; more = table->next()) {
+    if (!more) return more.error();
+    if (!*more) break;
+    if (table->text(at).empty()) return table->wrong(en::say("a number is missing"), at);
+    for (std::size_t i = 0; i < table->columns().size(); ++i) {
+      const auto& [name, kind, number, unit] = table->columns()[i];
+      const int column = static_cast<int>(i);
+      std::string cell(table->text(column));
+      if (cell.empty()) continue;
+      const std::string key = kind < 0 ? name : kKeys.at(static_cast<std::size_t>(kind));
+      if (key == "scale" || key == "zero") {
+        const auto setting = table->number(column);
+        if (!setting) return setting.error();
+        cell = fmt::format("{}", *setting);
+      }
+      if (key == "id" ? read_all(cell, report.id) : take_setting(key, cell, value)) continue;
+      return table->wrong(
+          en::say("'{}' is not a valid {}", printable(table->text(column)), printable(name)),
+          column);
     }
-    if (cells.size() != names.size())
-      return Error{en::say("has {} cells, not {}", cells.size(), names.size()), where,
-                   report_advice()};
-    bool has_offset = false;
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-      if (cells[i].empty()) continue;
-      has_offset = has_offset || names[i] == "at";
-      const bool is_taken = names[i] == "id" ? read_all(cells[i], report.id)
-                                             : take_setting(names[i], cells[i], value);
-      if (!is_taken)
-        return Error{en::say("'{}' is not a valid {}", printable(cells[i]), printable(names[i])),
-                     where, report_advice()};
-    }
-    if (!has_offset)
-      return Error{en::say("the column '{}' is missing", std::string("at")), where,
-                   report_advice()};
     report.values.push_back(value);
   }
   if (!is_possible(report))

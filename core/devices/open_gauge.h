@@ -162,8 +162,9 @@ struct GaugeReport {
   /// f32, low byte first, or high byte first with "be" behind. Error: not of that form or
   /// impossible.
   static Result<GaugeReport> parse(const std::string& text);
-  /// Parses a CSV table. The first line names at, type and optionally scale, zero, unit, id. Each
-  /// line is one value; empty cells repeat the line above. Errors name the line.
+  /// Parses a table of any form that core/base/table.h describes. Its head names at, type and
+  /// optionally scale, zero, unit, id. Each row is one value; empty cells repeat the row above.
+  /// Errors name the line.
   static Result<GaugeReport> parse_table(std::string_view csv, const std::filesystem::path& origin);
   /// `description`: the text of parse(), or the file of a table.
   static Result<GaugeReport> from(const std::string& description);

@@ -2,10 +2,10 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/message.h"
+#include "core/base/table.h"
 #include "core/sensing/contact/contact_regions.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numeric>
 #include <string_view>
@@ -219,23 +219,16 @@ PairedFrames paired_frames(const std::vector<RecordedContacts>& first,
 
 namespace {
 
-constexpr std::string_view kMotorHeader = "time_ns,turns";
-
-template <class T>
-std::optional<T> parse_full(std::string_view text) {
-  T value{};
-  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (problem != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
-
-std::optional<std::pair<std::int64_t, double>> motor_line(std::string_view line) {
-  const std::size_t comma = line.find(',');
-  if (comma == std::string_view::npos) return std::nullopt;
-  const auto time = parse_full<std::int64_t>(line.substr(0, comma));
-  const auto turns = parse_full<double>(line.substr(comma + 1));
-  if (!time || !turns || !std::isfinite(*turns)) return std::nullopt;
-  return std::pair(*time, *turns);
+TableFormat motor_format() {
+  return {
+      {{"time_ns", Measure::kTime, {"t", "timestamp", "zeit", "zeitstempel", "时间"}},
+       {.key = "turns",
+        .measure = Measure::kTurn,
+        .names = {"turn", "motorturns", "revolutions", "rotations", "rev", "umdrehungen", "圈数"},
+        .names_with_unit = {"motor", "motorposition", "motorangle", "position", "angle", "winkel",
+                            "rotation", "drehung", "角度"}}},
+      en::say("a table of motor positions by time, with time_ns and turns"),
+      en::say("for example 123456789,4.25")};
 }
 
 }  // namespace
@@ -247,35 +240,28 @@ Result<MotorLog> MotorLog::load(const std::filesystem::path& file) {
 }
 
 Result<MotorLog> MotorLog::parse(const std::string& content, const std::filesystem::path& origin) {
+  auto table = Table::open(content, origin, motor_format());
+  if (!table) return table.error();
+  const int time_column = table->find("time_ns"), turns_column = table->find("turns");
+  if (time_column < 0) return table->missing("time_ns");
+  if (turns_column < 0) return table->missing("turns");
   MotorLog log;
-  std::size_t number = 0;
-  for (std::size_t begin = 0; begin < content.size();) {
-    const std::size_t end = std::min(content.find('\n', begin), content.size());
-    std::string_view line = std::string_view(content).substr(begin, end - begin);
-    begin = end + 1, ++number;
-    if (line.ends_with('\r')) line.remove_suffix(1);
-    const auto refused = [&](Message what, Message advice) {
-      return Error{what, fmt::format("{}:{}", origin.string(), number), advice};
-    };
-    if (number == 1) {
-      if (line == kMotorHeader) continue;
-      return refused(en::say("must be '{}', not '{}'", std::string(kMotorHeader), printable(line)),
-                     en::say("a table of motor positions by time"));
-    }
-    if (line.empty() && begin >= content.size()) break;
-    const auto read = motor_line(line);
-    if (!read)
-      return refused(
-          en::say("must be a time in ns and a number of turns, not '{}'", printable(line)),
-          en::say("for example 123456789,4.25"));
-    if (!log.lines_.empty() && read->first <= log.lines_.back().first)
-      return refused(en::say("the time is not after that of the line before"),
-                     en::say("lines in the order of time"));
-    log.lines_.push_back(*read);
+  for (auto more = table->next();; more = table->next()) {
+    if (!more) return more.error();
+    if (!*more) break;
+    const auto time = table->time_ns(time_column);
+    if (!time) return time.error();
+    const auto turns = table->number(turns_column);
+    if (!turns) return turns.error();
+    if (!log.lines_.empty() && *time <= log.lines_.back().first)
+      return table->wrong(en::say("the time is not after that of the line before"), time_column);
+    log.lines_.emplace_back(*time, *turns);
   }
   if (log.lines_.size() < 2)
     return Error{en::say("holds fewer than two motor positions"), origin,
                  en::say("a line for each time at which the motor was read")};
+  log.understood_ = table->understood();
+  log.remarks_ = table->remarks();
   return log;
 }
 

@@ -1,6 +1,7 @@
 // Reads the results of `alltact reconstruct` of two fingers, and joins them in time.
 #pragma once
 
+#include "core/base/message.h"
 #include "core/base/result.h"
 #include "core/gripper/held_object.h"
 
@@ -48,20 +49,27 @@ struct PairedFrames {
 
 // The motor's position during a recording.
 
-/// A table of motor positions by time, on the clock of the frames: a header line "time_ns,turns",
-/// then an integer and a number on each line, in order of time. A value.
+/// A table of motor positions by time, on the clock of the frames: time_ns and turns, in order of
+/// time, of any form that core/base/table.h describes. Other units stand in the names, such as t_ms
+/// or "angle [deg]". A value.
 class MotorLog {
  public:
-  /// Errors, with file and line: not readable; no such table; not a number; a time that is not
-  /// after the previous one; fewer than two lines.
+  /// Errors, with file and line: not readable; those of Table; a time that is not after the
+  /// previous one; fewer than two lines.
   static Result<MotorLog> load(const std::filesystem::path& file);
   static Result<MotorLog> parse(const std::string& content, const std::filesystem::path& origin);
 
   /// Linear between the lines; nullopt before the first and after the last.
   [[nodiscard]] std::optional<double> turns_at(std::int64_t time_ns) const;
+  [[nodiscard]] std::int64_t first_ns() const { return lines_.front().first; }
+  [[nodiscard]] std::int64_t last_ns() const { return lines_.back().first; }
+  [[nodiscard]] const Message& understood() const { return understood_; }  ///< of Table
+  [[nodiscard]] const std::vector<Message>& remarks() const { return remarks_; }
 
  private:
   std::vector<std::pair<std::int64_t, double>> lines_;
+  Message understood_;
+  std::vector<Message> remarks_;
 };
 
 }  // namespace alltact

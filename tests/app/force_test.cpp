@@ -248,6 +248,21 @@ TEST(ForceCommand, CollectsATableFromResultsAndAGauge) {
   EXPECT_EQ(made.layouts.row(3), table.layouts.row(4));
   EXPECT_EQ(made.force_N.row(3), table.force_N.row(4));
   EXPECT_EQ(bench.run({bench.file("new.csv")}).status, 0);
+  // The same as Excel writes it in German: the same table, and what was understood is reported.
+  std::string german = "\xEF\xBB\xBF";
+  for (const char c : gauge)
+    german += c == ',' ? ";" : c == '.' ? "," : c == '\n' ? "\r\n" : std::string(1, c);
+  german.replace(german.find("fx_n"), 4, "Kraft X [N]");
+  bench.write("german.csv", german);
+  const ProgramRun same =
+      bench.run({"--collect", bench.file("results.jsonl"), "--gauge", bench.file("german.csv"),
+                 "-o", bench.file("same.csv"), "--json"});
+  ASSERT_EQ(same.status, 0) << same.errors;
+  EXPECT_EQ(read_file(bench.folder / "same.csv").value(),
+            read_file(bench.folder / "new.csv").value());
+  EXPECT_THAT(
+      ForceAnswer::parse(same.output).at("gauge_read_as").get<std::string>(),
+      HasSubstr("semicolon-separated with decimal commas: frame, fx_n from 'Kraft X [N]' in N"));
 }
 
 }  // namespace

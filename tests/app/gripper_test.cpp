@@ -163,6 +163,13 @@ TEST_F(GripperCommand, TheMotorsLogSaysWhereEachPairWasTaken) {
   EXPECT_THAT(std::string(pairs[1].at("problem")), HasSubstr("log does not reach"));
   EXPECT_EQ(run_alltact({"gripper", file("gripper.yaml"), "--motor-log", file("motor.csv")}).status,
             2);
+  write_text(folder_ / "late.csv", "t_s;Winkel [deg]\n2,5;0\n3,5;90\n");
+  const ProgramRun late =
+      run_alltact({"gripper", file("gripper.yaml"), "--motor-log", file("late.csv"), "--results",
+                   file("left/results.jsonl"), file("right/results.jsonl")});
+  EXPECT_EQ(late.status, 1);
+  EXPECT_THAT(late.errors, HasSubstr("the motor's log runs from 2.5 to 3.5 s, the frames from"));
+  EXPECT_THAT(late.output, HasSubstr("turns from 'Winkel [deg]' in deg"));
   EXPECT_EQ(run_alltact(recorded({"--motor-log", file("motor.csv")})).status, 2);
 }
 

@@ -3,6 +3,7 @@
 #include "calibration/force/collect_force.h"
 #include "calibration/force/force_table.h"
 #include "core/base/atomic_file.h"
+#include "core/base/table.h"
 #include "core/batch/parts.h"
 #include "core/devices/gauge_source.h"
 #include "core/gripper/gripper_recording.h"
@@ -63,7 +64,9 @@ Reading read_frame_log(const std::string& bytes) {
   static const ScratchFile file("v.frames.csv");
   return reading_of(read_journal(file.write(bytes)), [](const auto& entries) -> std::string {
     for (std::size_t i = 1; i < entries.size(); ++i)
-      if (entries[i].time_ns < entries[i - 1].time_ns) return "time goes back";
+      if (entries[i].time_ns && entries[i - 1].time_ns &&
+          *entries[i].time_ns < *entries[i - 1].time_ns)
+        return "time goes back";
     return file.stray();
   });
 }
@@ -129,6 +132,32 @@ Reading read_gauge_log(const std::string& bytes) {
     }
     return std::string();
   });
+}
+
+/// All numbers and times are finite, and every sentence is one line.
+Reading read_table(const std::string& bytes) {
+  auto table = Table::open(bytes, "table.csv",
+                           {{{"t_s", Measure::kTime, {"time", "zeit"}},
+                             {"date", {}, {"datum"}},
+                             {.key = "fx_n", .measure = Measure::kForce, .names_with_unit = {"x"}},
+                             {.key = "u_px", .measure = Measure::kPixel, .is_numbered = true},
+                             {"block"}},
+                            en::say("a table")});
+  if (!table) return {table.error()};
+  const int time = table->find("t_s"), date = table->find("date");
+  for (auto more = table->next();; more = table->next()) {
+    if (!more) return {more.error()};
+    if (!*more) break;
+    for (int i = 0; i < static_cast<int>(table->columns().size()); ++i) {
+      const auto number = i == time ? table->time_s(i, date) : table->number(i);
+      if (number && !std::isfinite(*number)) return {std::nullopt, "a number that is not finite"};
+      if (!number) {
+        if (const Reading refused{number.error()}; !fault_of(refused).empty()) return refused;
+      }
+      (void)table->time_ns(i).ok();
+    }
+  }
+  return {std::nullopt, fault_of(Reading{Error{table->understood(), "", ""}})};
 }
 
 Reading read_gauge_lines(const std::string& bytes) {
@@ -220,6 +249,16 @@ std::vector<Reader> table_readers() {
              "frame,force_gf\npress_0,12.5\npress_1,-3\n"};
        },
        read_gauge_log},
+      {"table",
+       [] {
+         return std::vector<std::string>{
+             "sep=;\r\nZeit [ms];X (mN);block\r\n0;0,5;\"a;\"\"b\"\"\nc\"\r\n10;1,25;d\r\n",
+             std::string("\xFF\xFEt\0_\0s\0\t\0f\0x\0\n\0001\0\t\0002\0\n\0", 24),
+             "Model,M5\n# t_s fx_n u0\n\ndate,time,fx\n-,s,kN\n01.03.2026,12:00:00.5,2e-3\n",
+             "t_s  x [kgf]  u0 u1\n2026-03-01T12:00:00Z  1  2 3\n",
+             "\xCA\xB1\xBC\xE4,fx_n\r1772366400123,-.5\r"};
+       },
+       read_table},
       {"gauge_line",
        [] {
          return std::vector<std::string>{

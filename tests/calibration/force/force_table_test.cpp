@@ -59,7 +59,7 @@ TEST(ForceTable, OtherNamesUnitsQuotesAndLineEndsAreUnderstood) {
   ASSERT_TRUE(table) << table.error().sentence();
   EXPECT_EQ(table->layouts(5, 0), 5);
   EXPECT_EQ(table->time_s[7], 7);
-  EXPECT_EQ(table->ignored_columns, std::vector<std::string>{"temperature"});
+  EXPECT_EQ(table->ignored_columns, std::vector<std::string>{"Temperature"});
 }
 
 TEST(ForceTable, HiddenMarkersAreEmptyCells) {
@@ -106,13 +106,16 @@ TEST(ForceTable, BadTablesAreRefusedWithLineAndColumn) {
   expect_words(table_refusal(table_text("u0,v0,u2,v2,fx_n,fy_n", keep)), "'u1' is missing");
   expect_words(table_refusal(table_text("u0,v0,u1,v1,fx_n,b", keep)), "'fy_n' is missing");
   expect_words(table_refusal(table_text("u0,v0,u0,v1,fx_n,fy_n", keep)), "appears twice");
-  expect_words(table_refusal(table_text("u0,v0,u1,v1,fx_n,fx_px", keep)), "appears twice");
+  expect_words(table_refusal(table_text("u0,v0,u1,v1,fx_n,fx_px", keep)),
+               "'fx_n' and 'fx_px' both fit fx_n");
+  expect_words(table_refusal(table_text("u0,v0,u1,v1,fx_px,fy_n", keep)),
+               "'px' is not a unit of the column 'fx_px'");
   expect_words(table_refusal(table_text("u0,v0,seen0,v1,fx_n,fy_n", keep)), "line 1");
   expect_words(table_refusal(table_text(head, in_row_7("1,2,3,nan,5,6"))), "'nan' is not a number");
   expect_words(table_refusal(table_text(head, in_row_7("1,2,3,4,inf,6"))), "line 9, column fx_n");
   expect_words(table_refusal(table_text(head, in_row_7("1,2,3,4,five,6"))),
                "'five' is not a number");
-  expect_words(table_refusal(table_text(head, in_row_7("1,2,3,4,,6"))), "is not a number");
+  expect_words(table_refusal(table_text(head, in_row_7("1,2,3,4,,6"))), "a number is missing");
   expect_words(table_refusal(table_text(head, in_row_7("1,,3,4,5,6"))), "column v0");
   expect_words(table_refusal(table_text(head, in_row_7("1,2,3,4,5"))), "has 5 cells, not 6");
   expect_words(table_refusal(table_text(head, in_row_7(",,,,5,6"))), "no marker was seen");
@@ -175,6 +178,48 @@ TEST(CollectForce, ReadingsAreInterpolatedAtTheFramesTimes) {
   EXPECT_EQ(table.seen(2, 1), 0);
 }
 
+// As force gauges' programs, spreadsheets and scripts write it.
+TEST(ForceGauge, IsReadAsOtherProgramsWriteIt) {
+  struct Example {
+    const char* program;
+    std::string csv;
+    const char* understood;
+  };
+  // The second reading is taken 0.01 s after the first, with 1.5 N along x.
+  for (const Example& example :
+       {Example{"Mark-10",
+                "Reading #,Load [N],Travel [mm],Time [s]\r\n1,0.5,0,0\r\n2,1.5,0,0.01\r\n",
+                "t_s from 'Time [s]' in s"},
+        {"Imada",
+         "Model,ZTA-50N\nDate,2026/03/01 12:00:00\n\nTime(sec),Force(N)\n0.00,0.50\n0.01,1.50\n",
+         "force_n from 'Force(N)' in N"},
+        {"Sauter, German",
+         "Datum;Uhrzeit;Kraft [mN]\r\n01.03.2026;12:00:00,00;500\r\n"
+         "01.03.2026;12:00:00,01;1500\r\n",
+         "time stamps of 'Uhrzeit'"},
+        {"a script",
+         "timestamp,value [N]\n2026-03-01T12:00:00.00+01:00,0.5\n"
+         "2026-03-01T12:00:00.01+01:00,1.5\n",
+         "time stamps of 'timestamp'"},
+        {"pandas", ",timestamp,force\n0,1772366400000,0.5\n1,1772366400010,1.5\n",
+         "in ms since 1970"},
+        {"Excel, only dates",
+         "Datum;Kraft\r\n01.03.2026 12:00:00,00;0,5\r\n01.03.2026 12:00:00,01;1,5\r\n",
+         "date from 'Datum'"},
+        {"LabVIEW", "X_Value\tForce\tComment\r\n0,000000\t0,500000\r\n0,010000\t1,500000\r\n",
+         "tab-separated with decimal commas"}}) {
+    SCOPED_TRACE(example.program);
+    const auto gauge = ForceGauge::parse_csv(example.csv, "gauge.csv");
+    ASSERT_TRUE(gauge) << gauge.error().sentence();
+    ASSERT_EQ(gauge->readings.size(), 2U);
+    EXPECT_NEAR(gauge->readings[1].time_s - gauge->readings[0].time_s, 0.01, 1e-6);
+    EXPECT_EQ(gauge->readings[0].force_N, Eigen::Vector3d(0.5, 0, 0));
+    EXPECT_EQ(gauge->readings[1].force_N, Eigen::Vector3d(1.5, 0, 0));
+    EXPECT_NE(gauge->understood.english().find(example.understood), std::string::npos)
+        << gauge->understood.english();
+  }
+}
+
 // As a German spreadsheet writes it, and as others save it.
 TEST(ForceGauge, SemicolonsAndTabulatorsPartNumbersWithDecimalCommas) {
   for (const auto& [name, csv] : {std::pair{"commas", "t_s,fx_n,fy_n\n0.5,0.125,-2\n1,12.345,0\n"},
@@ -205,6 +250,55 @@ TEST(CollectForce, OtherClocksBeginTogether) {
   ASSERT_EQ(collected->remarks.size(), 1U);
   EXPECT_NE(collected->remarks[0].english().find("different clocks"), std::string::npos);
   EXPECT_NEAR(collected->table.force_N(20, 0), 20, 1e-6);
+}
+
+TEST(CollectForce, TimesInAnotherUnitThanTheirColumnsAreRefusedWithBothSpans) {
+  const auto refusal = [](const char* head, double step, int count) {
+    std::string csv = std::string(head) + "\n";
+    for (int i = 0; i < count; ++i) csv += fmt::format("{},{},{}\n", step * i, i % 7, i);
+    const auto gauge = ForceGauge::parse_csv(csv, "gauge.csv");
+    if (!gauge) return gauge.error().sentence();
+    const auto collected = collect_force(forty_frames(true), *gauge);
+    return collected ? std::string() : collected.error().sentence();
+  };
+  // 40 frames in 3.9 s from 500 s on.
+  EXPECT_EQ(
+      refusal("t_s,fx_n,fy_n", 10, 401),
+      "gauge.csv: the gauge's times run from 0 to 4000 s, those of the images from 500 to "
+      "503.9 s: the unit is wrong by a factor of 1000. Try: naming the column 't_s' 't_ms' if "
+      "its times are in ms.");
+  EXPECT_NE(refusal("Time [s],fx_n,fy_n", 1e4, 401).find("'Time [s]' 't_us'"), std::string::npos);
+  EXPECT_NE(refusal("t_ms,fx_n,fy_n", 0.01, 401).find("'t_ms' 't_s'"), std::string::npos);
+  EXPECT_NE(refusal("t_min,fx_n,fy_n", 0.01, 401).find("'t_min' 't_s'"), std::string::npos);
+  // Right units: of this length, longer and shorter than the recording.
+  for (const auto& [step, count] : {std::pair{0.01, 401}, {0.01, 100000}, {0.001, 500}, {0.3, 20}})
+    EXPECT_EQ(refusal("t_s,fx_n,fy_n", step, count), "") << step;
+  EXPECT_EQ(refusal("t_ms,fx_n,fy_n", 10, 401), "");
+}
+
+TEST(CollectForce, NoReadingForAnyFrameIsExplained) {
+  const auto refusal = [](const std::string& csv, bool timed) {
+    const auto collected =
+        collect_force(forty_frames(timed), *ForceGauge::parse_csv(csv, "gauge.csv"));
+    EXPECT_FALSE(collected);
+    return collected ? std::string() : collected.error().sentence();
+  };
+  EXPECT_NE(refusal("frame,fx_n,fy_n\nimg_1.png,1,2\n", false)
+                .find("the gauge's file names 'img_1', the recording 'frame_00000'"),
+            std::string::npos);
+  EXPECT_NE(refusal("t_s,fx_n,fy_n\n500.05,1,2\n502.04,2,3\n503.95,2,4\n", true)
+                .find("the readings are 1.99 s apart, at most 0.5 s"),
+            std::string::npos);
+}
+
+TEST(CollectForce, NamesOfImagesMayHaveFoldersAndExtensions) {
+  std::string csv = "image;force\n";
+  for (int i = 10; i < 35; ++i) csv += fmt::format("C:\\shots\\frame_{:05}.png;{},5\n", i, i);
+  const auto collected =
+      collect_force(forty_frames(false), *ForceGauge::parse_csv(csv, "gauge.csv"));
+  ASSERT_TRUE(collected) << collected.error().sentence();
+  EXPECT_EQ(collected->table.rows(), 25);
+  EXPECT_EQ(collected->table.force_N(0, 0), 10.5);
 }
 
 TEST(CollectForce, TypedReadingsGoByTheFramesNames) {
@@ -244,7 +338,7 @@ TEST(CollectForce, UnitsTimesAndSingleForcesOfOtherProgramsAreUnderstood) {
   EXPECT_NEAR(first("t_s,force_n\n1,100\n", options).force_N.y(), -100, 1e-12);
   const auto unknown = ForceGauge::parse_csv("t_s,fx_mm,fy_mm\n1,2,3\n", "gauge.csv");
   ASSERT_FALSE(unknown);
-  EXPECT_NE(unknown.error().sentence().find("no unit of force"), std::string::npos);
+  EXPECT_NE(unknown.error().sentence().find("'mm' is not a unit"), std::string::npos);
 }
 
 TEST(CollectForce, WhereAGaugeIsOverRangeThereIsNoForce) {
@@ -333,9 +427,17 @@ TEST(CollectForce, BadGaugesAreRefused) {
   has(refusal(""), "empty");
   has(refusal("t_s,fx_n,fy_n\n"), "no reading");
   has(refusal("t_s,fx_n\n1,2\n"), "'fy_n' is missing");
-  has(refusal("fx_n,fy_n\n1,2\n"), "neither");
-  has(refusal("t_s,fx_n,fy_n\n1,2,x\n"), "'x' is not a force");
-  has(refusal("t_s,fx_n,fy_n\n2,2,3\n1,2,3\n"), "comes after");
+  has(refusal("fx_n,fy_n\n1,2\n"), "'t_s' is missing; found: 'fx_n', 'fy_n'");
+  has(refusal("Zeit,Druck\n1,2\n"), "'fx_n' is missing; found: 'Zeit', 'Druck'");
+  has(refusal("t_s,fx_n,fy_n\n1,2,x\n"), "gauge.csv, line 2, column fy_n: 'x' is not a number");
+  has(refusal("t_s,fx_n,fy_n\n1,2,1e6\n"), "beyond the measurable range");
+  has(refusal("t_s,fx_n,fy_n\n2,2,3\n1,2,3\n"), "line 3, column t_s: the time '1' comes after '2'");
+  has(refusal("t_s,fx_n,fy_n\n2,2,3\n2,3,4\n"), "the time '2' is that of line 2, too");
+  has(refusal("time,fx_n,fy_n\n23:59:59,2,3\n00:00:01,3,4\n"), "'00:00:01' comes after '23:59:59'");
+  has(refusal("frame,fx_n,fy_n\na,2,3\na.png,3,4\n"), "the frame 'a.png' is that of line 2, too");
+  has(refusal("frame,fx_n,fy_n\n,2,3\n"), "the name of the frame is missing");
+  has(refusal("t_s,fx_n,fy_n,holds\n1,2,3,yes\n"), "'yes' is neither 1 nor 0");
+  has(refusal("t_s,fx_n,fy_n,sd_n\n1,2,3,?\n"), "column sd_n: '?' is not a number");
   has(refusal("t_s,fx_n,fy_n\n1,2\n"), "has 2 cells, not 3");
   EXPECT_FALSE(ForceGauge::parse_truth("{}", "truth.json"));
   EXPECT_FALSE(ForceGauge::parse_truth("[", "truth.json"));

@@ -172,6 +172,9 @@ TEST(GaugeReport, ATableDescribesItToo) {
   ASSERT_EQ(line.count, 2);
   EXPECT_NEAR(line.force_N[0], 2.56, 1e-12);  // (261 - 5) 0.01
   EXPECT_NEAR(line.force_N[1], 2.0, 1e-12);   // (105 - 5) 0.02: zero and type as above
+  const auto german = GaugeReport::parse_table("at;type;scale\n1;s16;0,01\n", "gauge.csv");
+  ASSERT_TRUE(german) << german.error().sentence();
+  EXPECT_EQ(german->values.at(0).scale, 0.01);
   const auto refusal = [](const char* csv) {
     const auto bad = GaugeReport::parse_table(csv, "gauge.csv");
     EXPECT_FALSE(bad) << csv;
@@ -180,6 +183,7 @@ TEST(GaugeReport, ATableDescribesItToo) {
   EXPECT_THAT(refusal("at,type\n1,s17\n"), HasSubstr("gauge.csv, line 2"));
   EXPECT_THAT(refusal("at,type\n1\n"), HasSubstr("has 1 cells, not 2"));
   EXPECT_THAT(refusal("type\ns16\n"), HasSubstr("'at' is missing"));
+  EXPECT_THAT(refusal("at,colour\n1,red\n"), HasSubstr("'red' is not a valid colour"));
   EXPECT_THAT(refusal("at,type\n"), HasSubstr("does not describe a gauge's report"));
 }
 
