@@ -39,19 +39,26 @@ void print_views(const LensViews& found, const LensCalibration& done, Console& c
 
 void print_lens(const LensCalibration& done, const LensSettings& settings, Console& console) {
   const CameraParameters& lens = done.fit.lens;
-  console.say(fmt::format(
-      "Lens: {}, {} x {} px, fx {:.2f} +- {:.2f}, fy {:.2f} +- {:.2f}, centre "
-      "({:.2f} +- {:.2f}, {:.2f} +- {:.2f}) px",
-      to_string(lens.model), lens.width_px, lens.height_px, lens.fx_px, done.fit.sd(0), lens.fy_px,
-      done.fit.sd(1), lens.cx_px, done.fit.sd(2), lens.cy_px, done.fit.sd(3)));
+  console.say(
+      fmt::format("Lens: {}, {} x {} px, fx {:.2f} +- {:.2f}, fy {:.2f} +- {:.2f}, centre "
+                  "({:.2f} +- {:.2f}, {:.2f} +- {:.2f}) px",
+                  to_string(lens.model), lens.width_px, lens.height_px, lens.fx_px, done.sd_px[0],
+                  lens.fy_px, done.sd_px[1], lens.cx_px, done.sd_px[2], lens.cy_px, done.sd_px[3]));
   std::string errors = fmt::format("Corner error: {:.3f} px in fitted views", done.fit.sigma_px);
   if (done.held_out)
     errors += fmt::format(", {:.3f} px in held-out views", done.held_out->error_px);
   if (done.halves)
     errors += fmt::format(
         "; lenses from two halves of the views differ by {:.2f} px (median), {:.2f} px (maximum)",
-        done.halves->median_px, done.halves->worst_px);
+        done.halves->difference.median_px, done.halves->difference.worst_px);
   console.say(errors);
+  if (done.halves) {
+    const auto& [first, second] = done.halves->numbers;
+    console.say(fmt::format(
+        "Halves: fx {:.2f} and {:.2f} px, fy {:.2f} and {:.2f} px; by the covariance alone fx +- "
+        "{:.2f} px",
+        first[0], second[0], first[1], second[1], done.fit.sd(0)));
+  }
   console.say(fmt::format("At the finger: uncertainty {:.2g} mm at a distance of {:g} mm",
                           done.verdict.error_mm, settings.distance_mm));
   console.say(
@@ -98,17 +105,18 @@ void answer(const LensViews& found, const LensCalibration& done, Console::Json& 
   json["cx"] = lens.cx_px;
   json["cy"] = lens.cy_px;
   json["distortion"] = lens.distortion;
-  json["sd"] = {{"fx", done.fit.sd(0)},
-                {"fy", done.fit.sd(1)},
-                {"cx", done.fit.sd(2)},
-                {"cy", done.fit.sd(3)}};
+  json["sd"] = {
+      {"fx", done.sd_px[0]}, {"fy", done.sd_px[1]}, {"cx", done.sd_px[2]}, {"cy", done.sd_px[3]}};
+  json["fx_fit_sd"] = done.fit.sd(0);
   json["focal_sd_percent"] = 100 * done.focal_sd_part;
   json["error_mm"] = done.verdict.error_mm;
   json["corner_px"] = done.fit.sigma_px;
   if (done.held_out) json["held_out_px"] = done.held_out->error_px;
   if (done.halves) {
-    json["halves_median_px"] = done.halves->median_px;
-    json["halves_worst_px"] = done.halves->worst_px;
+    json["halves_median_px"] = done.halves->difference.median_px;
+    json["halves_worst_px"] = done.halves->difference.worst_px;
+    json["halves_fx"] = {done.halves->numbers[0][0], done.halves->numbers[1][0]};
+    json["halves_fy"] = {done.halves->numbers[0][1], done.halves->numbers[1][1]};
   }
   json["seen_part"] = done.coverage.seen_part;
   json["unseen"] = in_english(done.coverage.unseen);
@@ -207,18 +215,18 @@ Status run_lens(const LensOptions& options, Console& console) {
   if ((*source)->is_live())
     return Error{en::say("a camera gives pictures without end"), "",
                  en::say("a recording of it: alltact record")};
-  Board board = options.board;
-  board.pattern = options.settings.pattern;
-  board.dictionary = options.settings.dictionary;
-  board.marker_part = options.settings.marker_part;
+  const Board board = options.settings.applied_to(options.board);
   const auto found = find_boards(**source, board, options.orientation, job);
   if (!found) return found.error();
-  const auto done = calibrate_lens(found->views, found->size, options.settings, job);
+  report_remarks(**source, console);
+  auto done = calibrate_lens(found->views, found->size, options.settings, job);
   if (!done) {
     for (const auto& [name, reason] : found->refused)
       console.warn(fmt::format("No board: {}: {}", name.english(), reason));
     return done.error();
   }
+  const auto remarks = print_remarks(found->board);
+  done->remarks.insert(done->remarks.begin(), remarks.begin(), remarks.end());
   console.say(fmt::format("Board of {} found in {} of {} images, {} used", board.words(),
                           found->analysed - found->refused.size(), found->analysed,
                           done->used.size()));
@@ -262,12 +270,13 @@ void add_lens(CLI::App& program, Chosen& chosen) {
             if (const Status status = set_board_size(options->board, text); !status)
               throw CLI::ValidationError("--board", status.error().what.english());
           },
-          "Inner corners (or dots) of the board in a row and in a column, such as 9x6")
+          "Inner corners, dots or tags of the board in a row and in a column, such as 9x6")
       ->type_name("CxR")
       ->required();
   command
       ->add_option("--square-mm", options->board.square_mm,
-                   "Side of a square, or distance between two dots, mm")
+                   "Side of a square or of a tag, or distance between two dots (asymmetric dots: "
+                   "between two rows), mm")
       ->type_name("S")
       ->transform(typed_number(kBoardSquare))
       ->required();

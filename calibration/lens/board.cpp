@@ -1,5 +1,6 @@
 #include "calibration/lens/board.h"
 
+#include "calibration/lens/marker_board.h"
 #include "core/base/message.h"
 #include "core/image/grey_range.h"
 #include "core/numerics/median.h"
@@ -9,15 +10,12 @@
 
 #include <Eigen/Dense>
 #include <fmt/format.h>
-#include <opencv2/aruco/charuco.hpp>
 #include <opencv2/calib3d.hpp>
 #include <opencv2/features2d.hpp>
 #include <opencv2/imgproc.hpp>
 
 namespace alltact {
 namespace {
-
-constexpr int kFewestCorners = 6;
 
 BoardView full_view(const Board& board, const std::vector<cv::Point2f>& corners) {
   BoardView view;
@@ -47,68 +45,36 @@ std::vector<int> windows_px(const std::vector<cv::Point2f>& corners, double reac
   return windows;
 }
 
-void refine(const cv::Mat& grey, std::vector<cv::Point2f>& corners, double reach) {
-  const std::vector<int> windows = windows_px(corners, reach);
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    std::vector<cv::Point2f> one{corners[i]};
-    const cv::Size window(windows[i], windows[i]);
-    cv::cornerSubPix(grey, one, window, {-1, -1},
-                     {cv::TermCriteria::EPS + cv::TermCriteria::COUNT, 100, 1e-4});
-    corners[i] = one.front();
-  }
+bool find_sharp_corners(const cv::Mat& grey, cv::Size size, std::vector<cv::Point2f>& corners) {
+  return cv::findChessboardCornersSB(grey, size, corners, cv::CALIB_CB_EXHAUSTIVE) ||
+         cv::findChessboardCornersSB(grey, size, corners,
+                                     cv::CALIB_CB_EXHAUSTIVE | cv::CALIB_CB_NORMALIZE_IMAGE);
 }
 
-bool find_corners(const cv::Mat& grey, cv::Size size, std::vector<cv::Point2f>& corners) {
-  // The finder's own corners are precise to a tenth of a pixel on sharp images only.
-  if (cv::findChessboardCornersSB(grey, size, corners, cv::CALIB_CB_EXHAUSTIVE) ||
-      cv::findChessboardCornersSB(grey, size, corners,
-                                  cv::CALIB_CB_EXHAUSTIVE | cv::CALIB_CB_NORMALIZE_IMAGE)) {
-    refine(grey, corners, kHalfSpacing);
-    return true;
-  }
-  // The classic finder detects some strongly bent boards that the other misses.
+/// Detects some strongly bent boards that the other misses. It also accepts a part of a larger
+/// board.
+bool find_bent_corners(const cv::Mat& grey, cv::Size size, std::vector<cv::Point2f>& corners) {
   constexpr int kClassic = cv::CALIB_CB_ADAPTIVE_THRESH | cv::CALIB_CB_NORMALIZE_IMAGE |
                            cv::CALIB_CB_FILTER_QUADS | cv::CALIB_CB_FAST_CHECK;
-  if (!cv::findChessboardCorners(grey, size, corners, kClassic)) return false;
-  refine(grey, corners, kHalfSpacing);
-  return true;
+  return cv::findChessboardCorners(grey, size, corners, kClassic);
 }
 
-int dictionary_number(MarkerDictionary dictionary) {
-  constexpr std::array kNumbers{cv::aruco::DICT_4X4_250, cv::aruco::DICT_5X5_250,
-                                cv::aruco::DICT_6X6_250, cv::aruco::DICT_ARUCO_ORIGINAL};
-  return kNumbers.at(static_cast<std::size_t>(dictionary) - 1);
+/// The size of a chessboard with at least `least` inner corners in its rows and columns.
+std::optional<cv::Size> chessboard_size(const cv::Mat& grey, cv::Size least) {
+  std::vector<cv::Point2f> corners;
+  cv::Mat meta;
+  if (!cv::findChessboardCornersSB(grey, least, corners,
+                                   cv::CALIB_CB_EXHAUSTIVE | cv::CALIB_CB_LARGER, meta))
+    return std::nullopt;
+  // A few times the finder counts a white border: only what the strict search confirms counts.
+  const cv::Size size = meta.size();
+  if (size.width < 3 || size.height < 3 ||
+      !cv::findChessboardCornersSB(grey, size, corners, cv::CALIB_CB_EXHAUSTIVE))
+    return std::nullopt;
+  return size;
 }
 
-bool spans_a_plane(const std::vector<Eigen::Vector3d>& points) {
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  for (const Eigen::Vector3d& point : points) mean += point / static_cast<double>(points.size());
-  Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
-  for (const Eigen::Vector3d& point : points)
-    spread += (point - mean).head<2>() * (point - mean).head<2>().transpose();
-  return spread.determinant() > 1e-3 * spread.trace() * spread.trace() / 4;
-}
-
-/// "no ... can be seen", with the reason as far as the image shows it.
-Error no_board(const cv::Mat& grey, const Board& board, const Message& pattern) {
-  cv::Scalar mean, sd;
-  cv::meanStdDev(grey, mean, sd);
-  const double white = static_cast<double>(cv::countNonZero(grey >= kClippedFrom)) /
-                       static_cast<double>(grey.total());
-  Error error{en::say("no {} with {} is visible", pattern, board.words()), "", ""};
-  if (sd[0] < 12) {
-    error.what = en::clauses({error.what, en::say("the image has hardly any contrast")});
-    error.advice = en::say("more light, and the board in focus");
-  } else if (white > 0.3) {
-    error.what =
-        en::clauses({error.what, en::say("a large part of the image is white without detail")});
-    error.advice = en::say("a shorter exposure");
-  } else {
-    error.advice =
-        en::say("the entire board in the image, with its white border, sharp and evenly lit");
-  }
-  return error;
-}
+bool are_equal_sizes(cv::Size a, cv::Size b) { return a == b || a == cv::Size(b.height, b.width); }
 
 /// Half the distance of the two nearest of these pixels.
 double half_spacing_px(const std::vector<Eigen::Vector2d>& pixels) {
@@ -141,63 +107,56 @@ double edge_width_px(const cv::Mat& grey, const std::vector<Eigen::Vector2d>& pi
   return widths.empty() ? 0 : upper_median(widths);
 }
 
-Result<BoardView> find_chessboard(const cv::Mat& grey, const Board& board) {
-  std::vector<cv::Point2f> corners;
-  if (!find_corners(grey, {board.columns, board.rows}, corners))
-    return no_board(grey, board, en::say("chessboard"));
-  return full_view(board, corners);
+/// `board` with this size, its counts in the order of the given ones: a chessboard has no first
+/// direction.
+Board chessboard_of(const Board& board, cv::Size size) {
+  if ((size.width < size.height) != (board.columns < board.rows))
+    std::swap(size.width, size.height);
+  Board other = board;
+  other.pattern = BoardPattern::kChessboard;
+  other.columns = size.width, other.rows = size.height;
+  return other;
 }
 
-Result<BoardView> find_charuco(const cv::Mat& grey, const Board& board) {
-  const auto dictionary = cv::aruco::getPredefinedDictionary(dictionary_number(board.dictionary));
-  const auto square = static_cast<float>(board.square_mm);
-  const auto charuco =
-      cv::aruco::CharucoBoard::create(board.columns + 1, board.rows + 1, square,
-                                      square * static_cast<float>(board.marker_part), dictionary);
-  std::vector<std::vector<cv::Point2f>> markers;
-  std::vector<int> marker_ids;
-  cv::aruco::detectMarkers(grey, dictionary, markers, marker_ids);
-  if (markers.empty()) {
-    Error error = no_board(grey, board, en::say("ChArUco board"));
-    error.what = en::clauses({error.what, en::say("not one of its markers")});
-    return error;
-  }
+Result<BoardView> find_chessboard(const cv::Mat& grey, const Board& board) {
+  const cv::Size size(board.columns, board.rows);
   std::vector<cv::Point2f> corners;
-  std::vector<int> ids;
-  cv::aruco::interpolateCornersCharuco(markers, marker_ids, grey, charuco, corners, ids);
-  if (static_cast<int>(corners.size()) < kFewestCorners)
-    return Error{en::say("only {} of the ChArUco board's corners are visible, {} are needed",
-                         corners.size(), kFewestCorners),
-                 "", en::say("more of the board in the image, sharp and evenly lit")};
-  // Markers fill the squares around a corner, so the window ends before them.
-  refine(grey, corners, 0.5 * (1 - board.marker_part));
-  BoardView view;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const cv::Point3f& corner_mm = charuco->chessboardCorners[static_cast<std::size_t>(ids[i])];
-    view.board_mm.emplace_back(corner_mm.x, corner_mm.y, 0.0);
-    view.pixels.emplace_back(corners[i].x, corners[i].y);
+  if (!find_sharp_corners(grey, size, corners)) {
+    if (!find_bent_corners(grey, size, corners))
+      return no_board_error(grey, board, en::say("chessboard"));
+    if (const auto shown = chessboard_size(grey, size); shown && !are_equal_sizes(*shown, size))
+      return other_size_error(chessboard_of(board, *shown), board);
   }
-  if (!spans_a_plane(view.board_mm))
-    return Error{en::say("only corners in one line of the ChArUco board are visible"), "",
-                 en::say("more of the board in the image")};
-  return view;
+  // The finders' own corners are precise to a tenth of a pixel on sharp images only.
+  refine_corners(grey, corners, kHalfSpacing);
+  return full_view(board, corners);
 }
 
 // Dot grids: OpenCV orders the blobs, then each dot is measured by its grey values.
 
-bool find_grid(const cv::Mat& dark_dots, const Board& board, std::vector<cv::Point2f>& centres) {
+constexpr float kTiltedDot = 0.4F;  // circularity: a tilted dot is an ellipse
+constexpr float kNoSquare = 0.84F;  // a square has 0.785
+
+cv::Ptr<cv::SimpleBlobDetector> dot_detector(cv::Size image, float min_circularity) {
   cv::SimpleBlobDetector::Params how;
   how.minArea = 12;
-  // The largest dot of a board that fills the image.
-  how.maxArea = static_cast<float>(dark_dots.total()) /
-                static_cast<float>(std::min(board.columns * board.rows, 100));
+  // The largest dot of the smallest board, when it fills the image.
+  constexpr int kFewestDots = 9;
+  how.maxArea = static_cast<float>(image.area()) / kFewestDots;
   how.minDistBetweenBlobs = 4;
   how.filterByConvexity = false;
   how.filterByInertia = false;
   how.filterByCircularity = true;
-  how.minCircularity = 0.4F;  // a tilted dot is an ellipse
-  return cv::findCirclesGrid(dark_dots, {board.columns, board.rows}, centres,
-                             cv::CALIB_CB_SYMMETRIC_GRID, cv::SimpleBlobDetector::create(how));
+  how.minCircularity = min_circularity;
+  return cv::SimpleBlobDetector::create(how);
+}
+
+bool find_grid(const cv::Mat& dark_dots, const Board& board, float min_circularity,
+               std::vector<cv::Point2f>& centres) {
+  const int grid = board.pattern == BoardPattern::kAsymmetricDots ? cv::CALIB_CB_ASYMMETRIC_GRID
+                                                                  : cv::CALIB_CB_SYMMETRIC_GRID;
+  return cv::findCirclesGrid(dark_dots, {board.columns, board.rows}, centres, grid,
+                             dot_detector(dark_dots.size(), min_circularity));
 }
 
 struct Dot {
@@ -303,7 +262,8 @@ std::optional<Dot> measured(const cv::Mat& grey, cv::Point2f start,
   return dot;
 }
 
-/// Vectors from a grid point to the next in its row and in its column, px.
+/// Vectors from a grid point to the next in its row and in its column, px; of asymmetric dots, two
+/// perpendicular vectors on the board that are as long as the distance to the nearest dot.
 Eigen::Matrix2d spacing_at(const std::vector<cv::Point2f>& centres, const Board& board, int i) {
   const auto between = [&](int at, int count, int step) -> Eigen::Vector2d {
     const int after = at + 1 < count ? step : 0, before = at > 0 ? step : 0;
@@ -311,18 +271,30 @@ Eigen::Matrix2d spacing_at(const std::vector<cv::Point2f>& centres, const Board&
                                 centres[static_cast<std::size_t>(i - before)];
     return Eigen::Vector2d(step_px.x, step_px.y) / (after > 0 && before > 0 ? 2.0 : 1.0);
   };
+  const int column = i % board.columns, row = i / board.columns;
   Eigen::Matrix2d spacing;
-  spacing.col(0) = between(i % board.columns, board.columns, 1);
-  spacing.col(1) = between(i / board.columns, board.rows, board.columns);
-  return spacing;
+  spacing.col(0) = between(column, board.columns, 1);
+  if (board.pattern != BoardPattern::kAsymmetricDots) {
+    spacing.col(1) = between(row, board.rows, board.columns);
+    return spacing;
+  }
+  // Dots of a row are two units apart, and every second row is aligned; the nearest dot is
+  // sqrt(2) units away.
+  const int two_rows = 2 * board.columns;
+  const bool has_after = row + 2 < board.rows, has_before = row >= 2;
+  const cv::Point2f step_px = centres[static_cast<std::size_t>(i + (has_after ? two_rows : 0))] -
+                              centres[static_cast<std::size_t>(i - (has_before ? two_rows : 0))];
+  spacing.col(1) = Eigen::Vector2d(step_px.x, step_px.y) / (has_after && has_before ? 2.0 : 1.0);
+  return spacing * M_SQRT1_2;
 }
 
 Result<BoardView> find_dots(const cv::Mat& grey, const Board& board) {
   std::vector<cv::Point2f> centres;
   cv::Mat dark_dots = grey;
-  if (!find_grid(dark_dots, board, centres)) {
+  if (!find_grid(dark_dots, board, kTiltedDot, centres)) {
     cv::bitwise_not(grey, dark_dots);
-    if (!find_grid(dark_dots, board, centres)) return no_board(grey, board, en::say("dot grid"));
+    if (!find_grid(dark_dots, board, kTiltedDot, centres))
+      return no_board_error(grey, board, en::say("dot grid"));
   }
   BoardView view;
   std::vector<double> parts;
@@ -341,17 +313,112 @@ Result<BoardView> find_dots(const cv::Mat& grey, const Board& board) {
   return view;
 }
 
+/// The board in this image, whose print is recognised in it.
+Result<BoardView> find_unrecognised(const cv::Mat& grey, const Board& board) {
+  MarkerPrintRecogniser recogniser(board);
+  recogniser.add(grey);
+  const auto print = recogniser.print();
+  if (!print) return print.error();
+  return find_marker_board(grey, board, *print);
+}
+
 }  // namespace
 
+const std::string& to_string(MarkerDictionary dictionary) {
+  static const std::array<std::string, 10> kWords{
+      "any",           "4x4",           "5x5",
+      "6x6",           "7x7",           "original",
+      "apriltag_16h5", "apriltag_25h9", "apriltag_36h10",
+      "apriltag_36h11"};
+  return kWords.at(static_cast<std::size_t>(dictionary) - 1);
+}
+
+int Board::point_count() const {
+  return columns * rows * (pattern == BoardPattern::kAprilGrid ? 4 : 1);
+}
+
 Eigen::Vector3d Board::point_mm(int i) const {
+  if (pattern == BoardPattern::kAprilGrid) {
+    const int tag = i / 4, corner = i % 4;
+    const double cell_mm = square_mm * (1 + tag_spacing);
+    return {cell_mm * (tag % columns) + (corner == 1 || corner == 2 ? square_mm : 0),
+            cell_mm * (tag / columns) + (corner >= 2 ? square_mm : 0), 0};
+  }
   const int row = i / columns, column = i % columns;
+  if (pattern == BoardPattern::kAsymmetricDots)
+    return {square_mm * (2 * column + row % 2), square_mm * row, 0};
   return {square_mm * column, square_mm * row, 0};
 }
 
 Message Board::words() const {
-  const Message counted =
-      pattern == BoardPattern::kDots ? en::say("dots") : en::say("inner corners");
+  Message counted;
+  switch (pattern) {
+    case BoardPattern::kChessboard:
+    case BoardPattern::kCharuco:
+      counted = en::say("inner corners");
+      break;
+    case BoardPattern::kDots:
+      counted = en::say("dots");
+      break;
+    case BoardPattern::kAsymmetricDots:
+      counted = en::say("asymmetric dots");
+      break;
+    case BoardPattern::kAprilGrid:
+      counted = en::say("tags");
+      break;
+  }
   return en::say("{} x {} {}", columns, rows, counted);
+}
+
+Error other_size_error(const Board& shown, const Board& board) {
+  Message counting = en::say("inner corners are counted, not squares");
+  if (board.pattern == BoardPattern::kAprilGrid)
+    counting = en::say("tags of a row and of a column are counted");
+  else if (board.pattern == BoardPattern::kDots || board.pattern == BoardPattern::kAsymmetricDots)
+    counting = en::say("dots of a row and of a column are counted");
+  return {en::say("this board has {}, not {} x {}", shown.words(), board.columns, board.rows),
+          std::string("--board"),
+          en::say("--board {}x{}: {}", shown.columns, shown.rows, counting)};
+}
+
+Error no_board_error(const cv::Mat& grey, const Board& board, const Message& pattern) {
+  cv::Scalar mean, sd;
+  cv::meanStdDev(grey, mean, sd);
+  const double white = static_cast<double>(cv::countNonZero(grey >= kClippedFrom)) /
+                       static_cast<double>(grey.total());
+  Error error{en::say("no {} with {} is visible", pattern, board.words()), "", ""};
+  if (sd[0] < 12) {
+    error.what = en::clauses({error.what, en::say("the image has hardly any contrast")});
+    error.advice = en::say("more light, and the board in focus");
+  } else if (white > 0.3) {
+    error.what =
+        en::clauses({error.what, en::say("a large part of the image is white without detail")});
+    error.advice = en::say("a shorter exposure");
+  } else {
+    error.advice =
+        en::say("the entire board in the image, with its white border, sharp and evenly lit");
+  }
+  return error;
+}
+
+void refine_corners(const cv::Mat& grey, std::vector<cv::Point2f>& corners, double reach) {
+  const std::vector<int> windows = windows_px(corners, reach);
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    std::vector<cv::Point2f> one{corners[i]};
+    const cv::Size window(windows[i], windows[i]);
+    cv::cornerSubPix(grey, one, window, {-1, -1},
+                     {cv::TermCriteria::EPS + cv::TermCriteria::COUNT, 100, 1e-4});
+    corners[i] = one.front();
+  }
+}
+
+bool spans_a_plane(const std::vector<Eigen::Vector3d>& points) {
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& point : points) mean += point / static_cast<double>(points.size());
+  Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
+  for (const Eigen::Vector3d& point : points)
+    spread += (point - mean).head<2>() * (point - mean).head<2>().transpose();
+  return spread.determinant() > 1e-3 * spread.trace() * spread.trace() / 4;
 }
 
 Status set_board_size(Board& board, std::string_view text) {
@@ -376,9 +443,11 @@ Status set_board_size(Board& board, std::string_view text) {
 Result<BoardView> find_board(const cv::Mat& grey, const Board& board) {
   // OpenCV's finders throw on unexpected images.
   try {
-    auto view = board.pattern == BoardPattern::kDots      ? find_dots(grey, board)
-                : board.pattern == BoardPattern::kCharuco ? find_charuco(grey, board)
-                                                          : find_chessboard(grey, board);
+    auto view = !board.has_markers() ? board.pattern == BoardPattern::kChessboard
+                                           ? find_chessboard(grey, board)
+                                           : find_dots(grey, board)
+                : board.print ? find_marker_board(grey, board, *board.print)
+                                     : find_unrecognised(grey, board);
     if (view) view->edge_px = edge_width_px(grey, view->pixels);
     return view;
   } catch (const cv::Exception& problem) {
@@ -408,20 +477,106 @@ Eigen::Vector2d oriented_pixel(const Eigen::Vector2d& pixel, cv::Size raw,
   return pixel;
 }
 
-std::string other_size_found(const cv::Mat& grey, const Board& board) {
-  if (board.pattern != BoardPattern::kChessboard) return {};
-  for (const int columns : {board.columns, board.columns - 1, board.columns + 1})
-    for (const int rows : {board.rows, board.rows - 1, board.rows + 1}) {
-      if (columns < 3 || rows < 3 || (columns == board.columns && rows == board.rows)) continue;
-      std::vector<cv::Point2f> corners;
-      try {
-        if (cv::findChessboardCornersSB(grey, {columns, rows}, corners))
-          return fmt::format("{} x {}", columns, rows);
-      } catch (const cv::Exception&) {
-        return {};
+namespace {
+
+/// The requested size, the swapped one, and all that differ by one in a count.
+std::vector<cv::Size> sizes_near(const Board& board) {
+  std::vector<cv::Size> sizes;
+  for (const cv::Size middle :
+       {cv::Size(board.columns, board.rows), cv::Size(board.rows, board.columns)})
+    for (const int wider : {0, -1, 1})
+      for (const int higher : {0, -1, 1}) {
+        const cv::Size size(middle.width + wider, middle.height + higher);
+        if (size.width >= 3 && size.height >= 3 &&
+            std::find(sizes.begin(), sizes.end(), size) == sizes.end())
+          sizes.push_back(size);
       }
+  return sizes;
+}
+
+std::optional<Board> other_chessboard(const cv::Mat& grey, const Board& board) {
+  if (const auto size = chessboard_size(grey, {3, 3})) return chessboard_of(board, *size);
+  for (const cv::Size size : sizes_near(board)) {
+    std::vector<cv::Point2f> corners;
+    if (size.width >= size.height &&
+        cv::findChessboardCornersSB(grey, size, corners, cv::CALIB_CB_EXHAUSTIVE))
+      return chessboard_of(board, size);
+  }
+  return std::nullopt;
+}
+
+std::optional<Board> other_dots(const cv::Mat& grey, const Board& board) {
+  cv::Mat inverted;
+  cv::bitwise_not(grey, inverted);
+  Board other = board;
+  for (const cv::Mat& dark_dots : {grey, inverted}) {
+    std::vector<cv::KeyPoint> dots;
+    dot_detector(grey.size(), kNoSquare)->detect(dark_dots, dots);
+    for (const BoardPattern pattern : {BoardPattern::kDots, BoardPattern::kAsymmetricDots})
+      for (const cv::Size size : sizes_near(board)) {
+        if (size.area() > static_cast<int>(dots.size())) continue;
+        other.pattern = pattern;
+        other.columns = size.width, other.rows = size.height;
+        std::vector<cv::Point2f> centres;
+        if (find_grid(dark_dots, other, kNoSquare, centres)) return other;
+      }
+  }
+  return std::nullopt;
+}
+
+bool shows_markers(const cv::Mat& grey, const Board& board, BoardPattern pattern) {
+  Board other = board;
+  other.pattern = pattern;
+  other.dictionary = MarkerDictionary::kAny;
+  MarkerPrintRecogniser recogniser(other);
+  recogniser.add(grey);
+  return recogniser.is_certain();
+}
+
+std::optional<Error> other_board_in(const cv::Mat& grey, const Board& board) {
+  const auto of_pattern = [&](const Message& shown, const std::string& flags) -> Error {
+    return {en::say("this board is {}", shown), std::string("--pattern"), Message::typed(flags)};
+  };
+  const auto size_flag = [](const Board& other) {
+    return fmt::format("--board {}x{}", other.columns, other.rows);
+  };
+  // Dots first: the finder of chessboards sees small ones between dots.
+  if (const auto dots = other_dots(grey, board)) {
+    if (dots->pattern == board.pattern) return other_size_error(*dots, board);
+    return dots->pattern == BoardPattern::kDots
+               ? of_pattern(en::say("a symmetric grid with {}", dots->words()),
+                            "--pattern dots " + size_flag(*dots))
+               : of_pattern(en::say("a grid with {}", dots->words()),
+                            "--pattern asymmetric_dots " + size_flag(*dots));
+  }
+  const auto chessboard = other_chessboard(grey, board);
+  if (chessboard && board.pattern == BoardPattern::kChessboard) {
+    if (are_equal_sizes({chessboard->columns, chessboard->rows}, {board.columns, board.rows}))
+      return std::nullopt;
+    return other_size_error(*chessboard, board);
+  }
+  if (board.pattern != BoardPattern::kCharuco && shows_markers(grey, board, BoardPattern::kCharuco))
+    return of_pattern(en::say("a ChArUco board"), "--pattern charuco");
+  if (board.pattern != BoardPattern::kAprilGrid &&
+      shows_markers(grey, board, BoardPattern::kAprilGrid))
+    return of_pattern(en::say("an AprilGrid"), "--pattern aprilgrid");
+  if (chessboard)
+    return of_pattern(en::say("a chessboard with {}", chessboard->words()),
+                      "--pattern chessboard " + size_flag(*chessboard));
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Error> other_board(const std::vector<cv::Mat>& images, const Board& board) {
+  for (const cv::Mat& grey : images) {
+    try {
+      if (auto other = other_board_in(grey, board)) return other;
+    } catch (const cv::Exception&) {
+      continue;  // OpenCV's finders throw on unexpected images
     }
-  return {};
+  }
+  return std::nullopt;
 }
 
 }  // namespace alltact

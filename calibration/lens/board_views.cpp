@@ -25,17 +25,19 @@ double median_shift_px(const CornerPixels& a, const CornerPixels& b) {
   return shifts.size() < kFewest ? std::numeric_limits<double>::infinity() : upper_median(shifts);
 }
 
-/// Keys are numbers along and across; `turned`: as of a board turned by 180 degrees.
+/// Keys are positions in hundredths of a square; `turned`: as of a board turned by 180 degrees.
 CornerPixels corner_pixels(const BoardView& view, const Board& board, bool turned) {
+  double right_mm = 0, bottom_mm = 0;
+  for (int i = 0; i < board.point_count(); ++i) {
+    right_mm = std::max(right_mm, board.point_mm(i).x());
+    bottom_mm = std::max(bottom_mm, board.point_mm(i).y());
+  }
+  const auto key = [&](double mm) { return std::round(100 * mm / board.square_mm); };
   CornerPixels corners;
   for (std::size_t i = 0; i < view.board_mm.size(); ++i) {
-    double column = std::round(view.board_mm[i].x() / board.square_mm);
-    double row = std::round(view.board_mm[i].y() / board.square_mm);
-    if (turned) {
-      column = board.columns - 1 - column;
-      row = board.rows - 1 - row;
-    }
-    corners[{column, row}] = view.pixels[i];
+    const double x_mm = view.board_mm[i].x(), y_mm = view.board_mm[i].y();
+    corners[{key(turned ? right_mm - x_mm : x_mm), key(turned ? bottom_mm - y_mm : y_mm)}] =
+        view.pixels[i];
   }
   return corners;
 }
@@ -49,9 +51,23 @@ double corner_shift_px(const BoardView& a, const BoardView& b, const Board& boar
 
 }  // namespace
 
+Status BoardCollector::recognise(const cv::Mat& grey) {
+  if (!board_.has_markers() || board_.print) return {};
+  recogniser_.add(grey);
+  const auto print = recogniser_.print();
+  if (!print) return print.error();
+  board_.print = *print;
+  return {};
+}
+
 BoardAnalysis BoardCollector::analyse(const FramePtr& frame) {
   BoardAnalysis analysis;
   analysis.frame = frame;
+  if (const Status recognised = recognise(frame->grey); !recognised) {
+    analysis.no_board_reason = recognised.error().what;
+    last_.reset();
+    return analysis;
+  }
   auto found = find_board(frame->grey, board_);
   if (!found) {
     analysis.no_board_reason = found.error().what;
@@ -112,15 +128,11 @@ bool shows_the_same(const BoardView& a, const BoardView& b, cv::Size size) {
   return sum < 0.03 * std::hypot(size.width, size.height) * static_cast<double>(a.pixels.size());
 }
 
-Error none_found(const LensViews& views, const cv::Mat& first, const Board& board) {
+Error none_found(const LensViews& views, const std::vector<cv::Mat>& first, const Board& board) {
+  if (auto other = other_board(first, board)) return *other;
   Message what = en::say("no board was found in any of {} images", views.analysed);
   if (!views.refused.empty())
     what = en::say("{} (the first: {})", what, views.refused.front().second);
-  if (!first.empty())
-    if (const std::string other = other_size_found(first, board); !other.empty())
-      return {en::say("no board with {} was found, but one with {}", board.words(), other),
-              views.refused.empty() ? Where() : views.refused.front().first,
-              en::say("--board with {}: inner corners are counted, not squares", other)};
   return {what, "",
           en::say("--board and --pattern that match the board, and all of it in the image")};
 }
@@ -133,9 +145,40 @@ Result<LensViews> find_boards(Source& source, const Board& board, Orientation or
   const bool is_long = source.is_continuous() && count > kLong;
   const std::size_t step = is_long ? (count + kMaxImages - 1) / kMaxImages : 1;
   LensViews views;
+  views.board = board;
   cv::Size raw;
-  cv::Mat first;
+  std::vector<cv::Mat> first;  // images, for a diagnosis
+  constexpr std::size_t kDiagnosed = 3;
   std::set<std::string> names;
+  MarkerPrintRecogniser recogniser(board);
+  std::vector<FramePtr> waiting;  // until the print of the markers is certain
+  const auto search = [&](const FramePtr& frame) {
+    auto view = find_board(frame->grey, views.board);
+    if (!view) {
+      views.refused.emplace_back(frame->name, view.error().what);
+      if (first.size() < kDiagnosed) first.push_back(frame->grey);
+      return;
+    }
+    if (is_long && std::any_of(views.views.begin(), views.views.end(), [&](const BoardView& seen) {
+          return shows_the_same(seen, *view, raw);
+        })) {
+      ++views.repeats;
+      return;
+    }
+    view->name = frame->name;
+    views.views.push_back(std::move(*view));
+  };
+  /// Error: the board contradicts what was given.
+  const auto search_waiting = [&]() -> Status {
+    if (waiting.empty()) return {};
+    if (const auto print = recogniser.print())
+      views.board.print = *print;
+    else if (!print.error().where.empty())
+      return print.error();
+    for (const FramePtr& frame : waiting) search(frame);
+    waiting.clear();
+    return {};
+  };
   for (std::size_t index = 0;; ++index) {
     if (job.stop_requested())
       return Error{en::say("stopped while looking for boards; nothing was written"), "", ""};
@@ -152,10 +195,7 @@ Result<LensViews> find_boards(Source& source, const Board& board, Orientation or
     if (count > 0)
       job.report(0.9 * static_cast<double>(index) / static_cast<double>(count),
                  en::say("looking for the board in {}", frame.name));
-    if (raw.empty()) {
-      raw = frame.grey.size();
-      first = frame.grey;
-    }
+    if (raw.empty()) raw = frame.grey.size();
     if (frame.grey.size() != raw)
       return Error{
           en::say("is {} x {} px, the images before it {} x {}", frame.grey.cols, frame.grey.rows,
@@ -166,20 +206,18 @@ Result<LensViews> find_boards(Source& source, const Board& board, Orientation or
       return Error{en::say("another image is called '{}' as well", frame.name), frame.origin,
                    en::say("giving the images different names")};
     ++views.analysed;
-    auto view = find_board(frame.grey, board);
-    if (!view) {
-      views.refused.emplace_back(frame.name, view.error().what);
+    if (!board.has_markers() || views.board.print) {
+      search(*next);
       continue;
     }
-    if (is_long && std::any_of(views.views.begin(), views.views.end(), [&](const BoardView& seen) {
-          return shows_the_same(seen, *view, raw);
-        })) {
-      ++views.repeats;
-      continue;
-    }
-    view->name = frame.name;
-    views.views.push_back(std::move(*view));
+    recogniser.add(frame.grey);
+    waiting.push_back(*next);
+    constexpr std::size_t kMaxWaiting = 40;
+    const bool is_recognised = recogniser.is_certain() && recogniser.print();
+    if (!is_recognised && waiting.size() < kMaxWaiting) continue;
+    if (const Status status = search_waiting(); !status) return status.error();
   }
+  if (const Status status = search_waiting(); !status) return status.error();
   if (views.views.empty()) return none_found(views, first, board);
   for (BoardView& view : views.views)
     for (Eigen::Vector2d& pixel : view.pixels) pixel = oriented_pixel(pixel, raw, orientation);

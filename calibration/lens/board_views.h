@@ -2,6 +2,7 @@
 #pragma once
 
 #include "calibration/lens/board.h"
+#include "calibration/lens/marker_board.h"
 #include "core/base/job.h"
 #include "core/base/result.h"
 #include "core/camera/camera.h"
@@ -35,7 +36,8 @@ class BoardCollector {
   static constexpr double kStill_px = 1.5;  ///< largest median shift of a corner between two frames
   static constexpr double kSharp_px = 4;    ///< BoardView::edge_px
 
-  explicit BoardCollector(const Board& board) : board_(board) {}
+  explicit BoardCollector(const Board& board) : board_(board), recogniser_(board) {}
+  /// With its print, once a frame has shown it.
   [[nodiscard]] const Board& board() const { return board_; }
 
   /// Searches the board in a raw camera frame: some hundredths of a second, more where there is
@@ -56,7 +58,11 @@ class BoardCollector {
   [[nodiscard]] Cells cells() const;
 
  private:
+  /// Recognises the print of a board with markers. False with the reason: not yet.
+  Status recognise(const cv::Mat& grey);
+
   Board board_;
+  MarkerPrintRecogniser recogniser_;
   std::optional<BoardView> last_;
   std::vector<BoardView> views_;
   std::vector<FramePtr> frames_;
@@ -71,6 +77,7 @@ struct LensViews {
   std::vector<std::pair<Where, Message>> refused;  ///< image, and the reason
   std::size_t analysed = 0;  ///< of a long recording only some images are analysed
   std::size_t repeats = 0;   ///< of a long recording, images that repeat a view
+  Board board;               ///< with the print that the images show
 };
 
 /// At most this many images of a recording are analysed, evenly spread. Only those that show the
@@ -78,8 +85,8 @@ struct LensViews {
 inline constexpr std::size_t kMaxImages = 300;
 
 /// Searches the board in every raw image: a mirrored one would spoil markers. Errors: images of
-/// different sizes, no board in any of them (with the board's actual size where it is found), two
-/// images of one name, stopped.
+/// different sizes, no board in any of them (with the actual pattern and size where they are
+/// found), markers of another dictionary or board, two images of one name, stopped.
 [[nodiscard]] Result<LensViews> find_boards(Source& source, const Board& board,
                                             Orientation orientation, const Job& job);
 

@@ -20,8 +20,8 @@ namespace {
 
 constexpr double kOutlierScatter = 2.5;  // times the median view's
 constexpr double kMinScatterPx = 0.05;   // below, no view is an outlier
+constexpr double kGoodCornersPx = 0.3;   // above, focus, motion or the board is at fault
 constexpr double kBlurred = 1.6;         // times the median view's edge width
-constexpr double kShapeSigmas = 6;       // significance of a board's shape
 
 /// Robust scatter of one coordinate of all corners of a view, outliers included.
 double scatter_px(const std::vector<double>& errors_px) {
@@ -76,42 +76,66 @@ std::map<std::size_t, Message> outlier_views(const std::vector<BoardView>& views
   return outliers;
 }
 
-/// Fits again with a board that may be stretched and bent. Returns the board's defect in words;
-/// empty when there is none, and with fewer than six views.
-Message board_problem(const std::vector<BoardView>& views, const LensFit& fit, int coefficients,
-                      const Job& job) {
-  constexpr std::size_t kFewestViewsForShape = 6;
-  if (views.size() < kFewestViewsForShape) return {};
-  const auto shaped = fit_lens(views, fit, coefficients, job, true);
-  if (!shaped) return {};
-  Eigen::Vector3d low = views.front().board_mm.front(), high = low;
-  for (const BoardView& view : views)
-    for (const Eigen::Vector3d& point_mm : view.board_mm) {
-      low = low.cwiseMin(point_mm);
-      high = high.cwiseMax(point_mm);
-    }
-  const double half_mm = 0.5 * (high - low).norm();
-  const Eigen::Vector4d& shape = shaped->shape;
-  const auto is_significant = [&](int i, double min_value) {
-    const double value = std::abs(shape[i]);
-    return value > kShapeSigmas * shaped->shape_sd[i] && value > min_value;
-  };
+/// The board's defect in words; empty when there is none.
+Message board_problem(const BoardShape& shape, const LensFit& fit) {
   Message problem;
-  constexpr double kMinStretch = 0.001, kMinBend = 0.002;  // limits that few prints reach
-  if (is_significant(0, kMinStretch))
-    problem = en::say("its squares are {:.2f} % {} than they are high", 100 * std::abs(shape[0]),
-                      shape[0] > 0 ? en::say("wider") : en::say("narrower"));
-  if (is_significant(1, kMinBend) || is_significant(2, kMinBend) || is_significant(3, kMinBend)) {
-    const double bend = std::max({std::abs(shape[1]), std::abs(shape[2]), std::abs(shape[3])});
+  if (shape.is_stretched)
+    problem =
+        en::say("its squares are {:.2f} % {} than they are high", 100 * std::abs(shape.stretch),
+                shape.stretch > 0 ? en::say("wider") : en::say("narrower"));
+  if (shape.is_bent) {
     const Message bent =
-        en::say("it is bent by about {:.2g} mm from its middle to its corners", bend * half_mm);
+        en::say("it is bent by about {:.2g} mm from its middle to its corners", shape.bend_mm);
     problem = problem.empty() ? bent : en::say("{}, and {}", problem, bent);
   }
-  if (problem.empty()) return {};
   return en::say(
       "the board is not flat and even as assumed: {}; corrected for this, fx would be {:.2f} "
       "instead of {:.2f} px; use a board on glass or metal",
-      problem, shaped->lens.fx_px, fit.lens.fx_px);
+      problem, shape.lens.fx_px, fit.lens.fx_px);
+}
+
+/// fx and fy differ: what explains it; empty when they do not.
+Message aspect_problem(const LensCalibration& calibration) {
+  const PixelAspect aspect = pixel_aspect(calibration);
+  const double percent = 100 * std::abs(aspect.ratio - 1);
+  const Message wider = aspect.ratio > 1 ? en::say("wider") : en::say("narrower");
+  switch (aspect.cause) {
+    case AspectCause::kNone:
+      return {};
+    case AspectCause::kBoard:
+      return en::say(
+          "fx and fy differ by {:.1f} %: a board with squares that are {:.1f} % {} than high "
+          "explains it, and pixels are then square; measure the board's width and height with a "
+          "caliper, and print it without scaling",
+          percent, 100 * std::abs(calibration.shape->stretch), wider);
+    case AspectCause::kImage:
+      return en::say(
+          "fx and fy differ by {:.1f} %, although the board is square within {:.1f} %: the camera "
+          "stretches its images, or its pixels are not square",
+          percent, 100 * calibration.shape->stretch_sd);
+    case AspectCause::kUndecided:
+      break;
+  }
+  return en::say(
+      "fx and fy differ by {:.1f} %: a board printed {:.1f} % {} than high and pixels that are not "
+      "square look alike in these views. The board is likelier: measure its width and height with "
+      "a caliper, and turn it by 90 degrees in half of the views",
+      percent, percent, wider);
+}
+
+/// The distance of the boards contradicts that of the finger: the size of the squares is likely in
+/// another unit. Empty when it does not.
+Message distance_problem(const LensCalibration& calibration, double distance_mm) {
+  std::vector<double> distances;
+  for (std::size_t i = 0; i < calibration.used.size(); ++i)
+    distances.push_back(calibration.fit.poses[i](calibration.used[i].board_mm.front()).norm());
+  const double board_mm = upper_median(distances);
+  constexpr double kOtherUnit = 50;  // a camera that is sharp at one of them is not at the other
+  if (board_mm * kOtherUnit >= distance_mm && board_mm <= kOtherUnit * distance_mm) return {};
+  return en::say(
+      "with squares of this size the boards are {:.2g} mm from the lens, and the finger {:g} mm: "
+      "give --square-mm in millimetres, not in {}",
+      board_mm, distance_mm, board_mm < distance_mm ? en::say("metres") : en::say("micrometres"));
 }
 
 Error too_few(std::size_t count) {
@@ -277,7 +301,10 @@ Status fit_without_dot_bias(LensCalibration& calibration, int coefficients, cons
     if (view.dot_part > 0) parts.push_back(view.dot_part);
   if (parts.empty()) return {};
   const auto& board = calibration.used.front().board_mm;
-  const double radius_mm = 0.5 * upper_median(parts) * (board[1] - board[0]).norm();
+  double spacing_mm = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < board.size(); ++i)
+    spacing_mm = std::min(spacing_mm, (board[i] - board[0]).norm());
+  const double radius_mm = 0.5 * upper_median(parts) * spacing_mm;
   const std::vector<BoardView> measured = calibration.used;
   constexpr int kRounds = 2;
   for (int round = 0; round < kRounds; ++round) {
@@ -310,27 +337,31 @@ void judge(LensCalibration& calibration, double distance_mm, int coefficients, c
   job.report(0.6, en::say("leaving views out"));
   calibration.held_out = cross_validate(calibration.used, fit, coefficients, job);
   job.report(0.9, en::say("comparing halves"));
-  calibration.halves = difference_of_halves(calibration.used, fit, coefficients, distance_mm, job);
+  calibration.halves = compare_halves(calibration.used, fit, coefficients, distance_mm, job);
   calibration.coverage = coverage_of(calibration.used, fit);
-  double part = std::max(fit.sd(0) / fit.lens.fx_px, fit.sd(1) / fit.lens.fy_px);
-  if (calibration.held_out)
-    part = std::max({part, calibration.held_out->fx_sd_px / fit.lens.fx_px,
-                     calibration.held_out->fy_sd_px / fit.lens.fy_px});
-  calibration.focal_sd_part = part;
+  const Eigen::Vector4d covariance_sd = fit.covariance.diagonal().head<4>().cwiseSqrt();
+  const Eigen::Vector4d by_views = lens_sd_px(fit, calibration.held_out, calibration.halves, {});
+  const double disagreement = by_views.head<2>().cwiseQuotient(covariance_sd.head<2>()).maxCoeff();
+  calibration.shape = board_shape(calibration.used, fit, coefficients, disagreement, job);
+  calibration.sd_px = lens_sd_px(fit, calibration.held_out, calibration.halves, calibration.shape);
+  calibration.focal_sd_part =
+      std::max(calibration.sd_px[0] / fit.lens.fx_px, calibration.sd_px[1] / fit.lens.fy_px);
   calibration.verdict = lens_verdict(calibration, distance_mm);
 }
 
-void remark(LensCalibration& calibration, int coefficients, const Job& job) {
+void remark(LensCalibration& calibration, double distance_mm, int coefficients, const Job& job) {
   const int max_count = coefficient_counts(calibration.fit.lens.model).front();
   if (coefficients < max_count)
     calibration.remarks.push_back(
         en::say("with {} distortion coefficients the lens folds over inside the image or stays "
                 "undetermined; {} are used",
                 max_count, coefficients));
-  if (const Message shape = board_problem(calibration.used, calibration.fit, coefficients, job);
-      !shape.empty())
-    calibration.remarks.push_back(shape);
-  if (calibration.fit.sigma_px > 0.5)
+  if (calibration.shape && calibration.shape->has_defect())
+    calibration.remarks.push_back(board_problem(*calibration.shape, calibration.fit));
+  for (const Message& problem :
+       {aspect_problem(calibration), distance_problem(calibration, distance_mm)})
+    if (!problem.empty()) calibration.remarks.push_back(problem);
+  if (calibration.fit.sigma_px > kGoodCornersPx)
     calibration.remarks.push_back(
         en::say("corners scatter by {:.2f} px; good boards give 0.2 or less: check focus, motion, "
                 "and whether the board is flat",
@@ -339,7 +370,24 @@ void remark(LensCalibration& calibration, int coefficients, const Job& job) {
     calibration.remarks.push_back(en::say("stopped before everything was evaluated"));
 }
 
+std::vector<Choice<MarkerDictionary>> dictionary_choices() {
+  using D = MarkerDictionary;
+  std::vector<Choice<D>> choices;
+  for (const D one : {D::kAny, D::k4x4, D::k5x5, D::k6x6, D::k7x7, D::kOriginal, D::kApril16h5,
+                      D::kApril25h9, D::kApril36h10, D::kApril36h11})
+    choices.push_back({to_string(one), one});
+  return choices;
+}
+
 }  // namespace
+
+Board LensSettings::applied_to(Board board) const {
+  board.pattern = pattern;
+  board.dictionary = dictionary;
+  board.marker_part = marker_part;
+  board.tag_spacing = tag_spacing;
+  return board;
+}
 
 const std::vector<Setting<LensSettings>>& lens_settings() {
   using S = LensSettings;
@@ -348,21 +396,23 @@ const std::vector<Setting<LensSettings>>& lens_settings() {
                                       &S::pattern,
                                       {{"chessboard", BoardPattern::kChessboard},
                                        {"charuco", BoardPattern::kCharuco},
-                                       {"dots", BoardPattern::kDots}}),
+                                       {"dots", BoardPattern::kDots},
+                                       {"asymmetric_dots", BoardPattern::kAsymmetricDots},
+                                       {"aprilgrid", BoardPattern::kAprilGrid}}),
       choice_setting<S, CameraModel>(
           "model", en::say("brown up to about 120 degrees of view, fisheye beyond"), &S::model,
           {{"brown", CameraModel::kBrown}, {"fisheye", CameraModel::kFisheye}}),
       number_setting<S, double>("distance-mm", en::say("Distance of the finger, for errors in mm"),
                                 &S::distance_mm, 1.0, 10000.0),
-      choice_setting<S, MarkerDictionary>("dictionary", en::say("ChArUco: family of the markers"),
-                                          &S::dictionary,
-                                          {{"4x4", MarkerDictionary::k4x4},
-                                           {"5x5", MarkerDictionary::k5x5},
-                                           {"6x6", MarkerDictionary::k6x6},
-                                           {"original", MarkerDictionary::kOriginal}}),
+      choice_setting<S, MarkerDictionary>(
+          "dictionary", en::say("ChArUco, AprilGrid: family of the markers; any tries all"),
+          &S::dictionary, dictionary_choices()),
       number_setting<S, double>("marker-part",
                                 en::say("ChArUco: a marker's side as a fraction of a square's"),
-                                &S::marker_part, 0.2, 0.95)};
+                                &S::marker_part, 0.2, 0.95),
+      number_setting<S, double>("tag-spacing",
+                                en::say("AprilGrid: gap of two tags as a fraction of a tag's side"),
+                                &S::tag_spacing, 0.05, 2.0)};
   return table;
 }
 
@@ -427,7 +477,7 @@ Result<LensCalibration> calibrate_lens(std::vector<BoardView> views, cv::Size si
     return status.error();
   report_views(calibration);
   judge(calibration, settings.distance_mm, *coefficients, job);
-  remark(calibration, *coefficients, job);
+  remark(calibration, settings.distance_mm, *coefficients, job);
   return calibration;
 }
 
@@ -440,7 +490,14 @@ Result<LensCalibration> measure_lens(const std::vector<std::filesystem::path>& i
   if (!source) return source.error();
   const auto found = find_boards(**source, board, Orientation::kNone, job);
   if (!found) return found.error();
-  return calibrate_lens(found->views, found->size, settings, job);
+  auto calibration = calibrate_lens(found->views, found->size, settings, job);
+  if (calibration) {
+    const auto remarks = print_remarks(found->board);
+    calibration->remarks.insert(calibration->remarks.begin(), remarks.begin(), remarks.end());
+    for (Message& assumed : (*source)->remarks())
+      calibration->remarks.push_back(std::move(assumed));
+  }
+  return calibration;
 }
 
 LensRecord lens_record(const Board& board, const LensCalibration& done) {
@@ -450,8 +507,11 @@ LensRecord lens_record(const Board& board, const LensCalibration& done) {
   record["board"] = board.words().english();
   record["square_mm"] = fmt::format("{}", board.square_mm);
   record["views"] = fmt::format("{}", done.used.size());
-  record["fx_sd_px"] = fmt::format("{:.4f}", done.fit.sd(0));
-  record["fy_sd_px"] = fmt::format("{:.4f}", done.fit.sd(1));
+  record["fx_sd_px"] = fmt::format("{:.4f}", done.sd_px[0]);
+  record["fy_sd_px"] = fmt::format("{:.4f}", done.sd_px[1]);
+  if (done.halves)
+    record["fx_of_halves_px"] =
+        fmt::format("{:.4f} {:.4f}", done.halves->numbers[0][0], done.halves->numbers[1][0]);
   record["focal_sd_percent"] = fmt::format("{:.4f}", 100 * done.focal_sd_part);
   record["corner_px"] = fmt::format("{:.4f}", done.fit.sigma_px);
   if (done.held_out) record["held_out_px"] = fmt::format("{:.4f}", done.held_out->error_px);

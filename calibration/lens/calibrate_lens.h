@@ -8,6 +8,7 @@
 #include "core/base/settings.h"
 #include "core/finger/finger.h"
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -21,8 +22,12 @@ struct LensSettings {
   BoardPattern pattern = BoardPattern::kChessboard;
   CameraModel model = CameraModel::kBrown;  ///< kBrown or kFisheye
   double distance_mm = 60;                  ///< of the finger, where the lens's error is evaluated
-  MarkerDictionary dictionary = MarkerDictionary::k4x4;
+  MarkerDictionary dictionary = MarkerDictionary::kAny;
   double marker_part = 0.75;
+  double tag_spacing = 0.3;
+
+  /// The board with these settings.
+  [[nodiscard]] Board applied_to(Board board) const;
 };
 [[nodiscard]] const std::vector<Setting<LensSettings>>& lens_settings();
 
@@ -54,7 +59,8 @@ inline constexpr int kEnoughViews = 10;
 
 struct HeldOut {
   double error_px = 0;  ///< of one coordinate, in held-out views, with only their pose fitted
-  double fx_sd_px = 0, fy_sd_px = 0;  ///< scatter between the folds (jackknife over groups)
+  /// Scatter of fx, fy, cx, cy between the folds (jackknife over groups).
+  Eigen::Vector4d sd_px = Eigen::Vector4d::Zero();
 };
 
 /// Fits again without each of up to five groups of views, and evaluates that lens on the group.
@@ -76,11 +82,45 @@ struct LensDifference {
                                                           const CameraParameters& b,
                                                           double distance_mm);
 
-/// The difference of the lenses fitted to every second view and to the others. nullopt with fewer
-/// than six views, when a half cannot be fitted, and when stopped.
-[[nodiscard]] std::optional<LensDifference> difference_of_halves(
-    const std::vector<BoardView>& views, const LensFit& fit, int coefficients, double distance_mm,
-    const Job& job);
+/// Lenses fitted to halves of the views, each number in the order fx, fy, cx, cy.
+struct HalvesComparison {
+  LensDifference difference;               ///< every second view against the others
+  std::array<Eigen::Vector4d, 2> numbers;  ///< of these two halves, px
+  /// Their difference over the standard deviation that the two covariances predict for it.
+  Eigen::Vector4d sigmas = Eigen::Vector4d::Zero();
+  /// Root mean square of that over up to three independent splits. 1: the covariance is honest.
+  Eigen::Vector4d scatter = Eigen::Vector4d::Zero();
+};
+
+/// nullopt with fewer than six views, when a half cannot be fitted, and when stopped.
+[[nodiscard]] std::optional<HalvesComparison> compare_halves(const std::vector<BoardView>& views,
+                                                             const LensFit& fit, int coefficients,
+                                                             double distance_mm, const Job& job);
+
+/// The board as a fit with free stretch and bend sees it.
+struct BoardShape {
+  double stretch = 0, stretch_sd = 0;          ///< squares are 1 + stretch times as wide as high
+  double bend_mm = 0;                          ///< from the middle to the corners
+  bool is_stretched = false, is_bent = false;  ///< significantly
+  CameraParameters lens;                       ///< with this shape
+  [[nodiscard]] bool has_defect() const { return is_stretched || is_bent; }
+};
+
+/// A defect is significant by the covariance alone: it may be what makes halves disagree.
+/// `disagreement`: factor on the sd of the stretch that the covariance gives. nullopt with fewer
+/// than six views, where the views do not determine the shape, and when stopped.
+[[nodiscard]] std::optional<BoardShape> board_shape(const std::vector<BoardView>& views,
+                                                    const LensFit& fit, int coefficients,
+                                                    double disagreement, const Job& job);
+
+/// Standard deviations of fx, fy, cx, cy, px. The covariance assumes independent errors of corners;
+/// a board that is not flat or a lens that the model does not describe moves all corners of a view.
+/// So the covariance's sd grows by the factor by which halves of the views disagree more than it
+/// predicts (Birge's ratio), and is at least the scatter between folds. A defect of the board adds
+/// the distance by which it moves the lens.
+[[nodiscard]] Eigen::Vector4d lens_sd_px(const LensFit& fit, const std::optional<HeldOut>& held_out,
+                                         const std::optional<HalvesComparison>& halves,
+                                         const std::optional<BoardShape>& shape);
 
 // From views to a lens.
 
@@ -101,9 +141,11 @@ struct LensCalibration {
   std::vector<BoardView> used;        ///< with dots at their true centres
   std::vector<LensViewReport> views;  ///< all that were given, in name order
   std::optional<HeldOut> held_out;
-  std::optional<LensDifference> halves;
+  std::optional<HalvesComparison> halves;
+  std::optional<BoardShape> shape;
   LensCoverage coverage;
-  double focal_sd_part = 0;  ///< from the covariance, or from held-out views where they give more
+  Eigen::Vector4d sd_px = Eigen::Vector4d::Zero();  ///< of fx, fy, cx, cy (lens_sd_px)
+  double focal_sd_part = 0;                         ///< the larger sd of fx and fy, as a fraction
   Verdict verdict;
   std::vector<Message> remarks;  ///< for the user
 };
@@ -111,6 +153,20 @@ struct LensCalibration {
 /// Limits of the error of a distance at the finger for a good, or a usable, lens.
 inline constexpr double kGoodLensMm = 0.1;
 inline constexpr double kUsableLensMm = 0.3;
+
+/// What makes fx and fy differ. Pixels of cameras are square. An image that is scaled in one
+/// direction, or a board that is printed so, makes them differ.
+enum class AspectCause {
+  kNone = 1,   ///< they do not differ, by 1 % or 3 standard deviations
+  kBoard,      ///< a stretched board explains the corners, with square pixels
+  kImage,      ///< the views show that the board is square
+  kUndecided,  ///< these views do not separate the two
+};
+struct PixelAspect {
+  double ratio = 1;  ///< fx / fy
+  AspectCause cause = AspectCause::kNone;
+};
+[[nodiscard]] PixelAspect pixel_aspect(const LensCalibration& calibration);
 
 /// The verdict on the lens by its fit, coverage, held-out views and halves. error_mm: the standard
 /// deviation of a distance at the finger, at `distance_mm`, by the lens alone. The grade is the

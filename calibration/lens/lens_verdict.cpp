@@ -28,15 +28,54 @@ Message name_of(Grade grade) {
   return kWords.at(static_cast<std::size_t>(grade) - 1);
 }
 
+/// The first words of a verdict: how well the focal length is known, and why not better.
+Message focal_reason(const LensCalibration& calibration, double distance_mm, double error_mm) {
+  const Message known = en::say("the focal length is known to {:.2g} %, {:.2g} mm at {:g} mm",
+                                100 * calibration.focal_sd_part, error_mm, distance_mm);
+  constexpr double kDisagree = 3;  // standard deviations
+  if (!calibration.halves || !(calibration.halves->sigmas.head<2>().maxCoeff() > kDisagree))
+    return known;
+  const Eigen::Index number = calibration.halves->sigmas[1] > calibration.halves->sigmas[0] ? 1 : 0;
+  const auto& numbers = calibration.halves->numbers;
+  return en::clauses({known, en::say("two halves of the views give {} = {:.1f} and {:.1f} px",
+                                     std::string(number == 0 ? "fx" : "fy"), numbers[0][number],
+                                     numbers[1][number])});
+}
+
 }  // namespace
+
+PixelAspect pixel_aspect(const LensCalibration& calibration) {
+  const CameraParameters& lens = calibration.fit.lens;
+  PixelAspect aspect{lens.fx_px / lens.fy_px, AspectCause::kNone};
+  const double off = std::abs(aspect.ratio - 1);
+  constexpr double kSquare = 0.01, kSigmas = 3;
+  // The errors of fx and fy have much in common, so that of their ratio is smaller than either.
+  const Eigen::MatrixXd& covariance = calibration.fit.covariance;
+  if (covariance.rows() < 2) return aspect;
+  const Eigen::Vector2d by_number(1 / lens.fx_px, -1 / lens.fy_px);
+  double sd = std::sqrt(std::max(0.0, by_number.dot(covariance.topLeftCorner<2, 2>() * by_number)));
+  if (calibration.halves) {
+    const auto& [first, second] = calibration.halves->numbers;
+    sd = std::max(sd, 0.5 * std::abs(first[0] / first[1] - second[0] / second[1]));
+  }
+  if (!(off > kSquare) || !(off > kSigmas * sd)) return aspect;
+  aspect.cause = AspectCause::kUndecided;
+  if (!calibration.shape) return aspect;
+  const BoardShape& shape = *calibration.shape;
+  const double off_with_shape = std::abs(shape.lens.fx_px / shape.lens.fy_px - 1);
+  if (shape.is_stretched && off_with_shape < 0.5 * off)
+    aspect.cause = AspectCause::kBoard;
+  else if (std::abs(shape.stretch) + kSigmas * shape.stretch_sd < 0.5 * off)
+    aspect.cause = AspectCause::kImage;
+  return aspect;
+}
 
 Verdict lens_verdict(const LensCalibration& calibration, double distance_mm) {
   const double sigma_px = calibration.fit.sigma_px;
   Verdict result;
   result.error_mm = distance_mm * calibration.focal_sd_part;
   Grade grade = grade_of_mm(result.error_mm);
-  Message reason = en::say("the focal length is known to {:.2g} %, {:.2g} mm at {:g} mm",
-                           100 * calibration.focal_sd_part, result.error_mm, distance_mm);
+  Message reason = focal_reason(calibration, distance_mm, result.error_mm);
   const auto lower_to = [&](Grade other, const Message& why) {
     if (other <= grade) return;
     grade = other;
@@ -44,12 +83,25 @@ Verdict lens_verdict(const LensCalibration& calibration, double distance_mm) {
   };
   if (calibration.halves) {
     // Each half has half the views: a lens of all views is about twice as precise.
-    const double px = calibration.halves->median_px / 2;
+    const double px = calibration.halves->difference.median_px / 2;
     const double mm = px * distance_mm / calibration.fit.lens.fx_px;
     lower_to(grade_of_mm(mm),
              en::say("but two halves of the views disagree by {:.2f} px ({:.2g} mm)",
-                     calibration.halves->median_px, 2 * mm));
+                     calibration.halves->difference.median_px, 2 * mm));
   }
+  if (const PixelAspect aspect = pixel_aspect(calibration);
+      aspect.cause == AspectCause::kBoard || aspect.cause == AspectCause::kUndecided) {
+    grade = std::max(grade, grade_of_mm(0.5 * std::abs(aspect.ratio - 1) * distance_mm));
+    reason = en::clauses(
+        {reason, en::say("fx and fy differ by {:.1f} %: the board is likely out of square",
+                         100 * std::abs(aspect.ratio - 1))});
+  }
+  if (calibration.shape && calibration.shape->is_stretched)
+    reason = en::clauses({reason, en::say("the squares of the board are stretched by {:.1f} %",
+                                          100 * std::abs(calibration.shape->stretch))});
+  if (calibration.shape && calibration.shape->is_bent)
+    reason = en::clauses(
+        {reason, en::say("the board is bent by about {:.2g} mm", calibration.shape->bend_mm)});
   if (calibration.held_out)
     lower_to(grade_of_held_out(calibration.held_out->error_px, sigma_px),
              en::say("but views left out fit worse ({:.2f} px) than those fitted ({:.2f} px)",
@@ -191,107 +243,6 @@ LensCoverage coverage_of(const std::vector<BoardView>& views, const LensFit& fit
                     std::all_of(unseen.begin(), unseen.end(), std::mem_fn(&Region::is_corner));
   coverage.advice = advice_of(coverage, n);
   return coverage;
-}
-
-namespace {
-
-/// The views for which `selects(index)` holds, with the start for them.
-template <class Selector>
-std::pair<std::vector<BoardView>, LensFit> part_of(const std::vector<BoardView>& views,
-                                                   const LensFit& fit, const Selector& selects) {
-  std::pair<std::vector<BoardView>, LensFit> part;
-  part.second.lens = fit.lens;
-  part.second.shape = fit.shape;
-  for (std::size_t i = 0; i < views.size(); ++i) {
-    if (!selects(i)) continue;
-    part.first.push_back(views[i]);
-    part.second.poses.push_back(fit.poses[i]);
-  }
-  return part;
-}
-
-}  // namespace
-
-std::optional<HeldOut> cross_validate(const std::vector<BoardView>& views, const LensFit& fit,
-                                      int coefficients, const Job& job) {
-  if (views.size() < 4) return std::nullopt;
-  const std::size_t folds = std::min<std::size_t>(5, views.size());
-  double sum = 0, freedom = 0;
-  std::vector<Eigen::Vector2d> focals;
-  for (std::size_t fold = 0; fold < folds; ++fold) {
-    const auto [others, start] =
-        part_of(views, fit, [&](std::size_t i) { return i % folds != fold; });
-    const auto without = fit_lens(others, start, coefficients, job);
-    if (!without) return std::nullopt;
-    focals.emplace_back(without->lens.fx_px, without->lens.fy_px);
-    for (std::size_t i = fold; i < views.size(); i += folds) {
-      BoardPose pose = fit.poses[i];
-      const double error = fit_pose(views[i], without->lens, fit.weights[i], pose);
-      if (!std::isfinite(error)) continue;
-      const double used =
-          2 * static_cast<double>(std::count(fit.weights[i].begin(), fit.weights[i].end(), 1.0)) -
-          6;
-      sum += error * error * used;
-      freedom += used;
-    }
-  }
-  if (!(freedom > 0)) return std::nullopt;
-  Eigen::Vector2d mean = Eigen::Vector2d::Zero(), spread = Eigen::Vector2d::Zero();
-  const auto n = static_cast<double>(folds);
-  for (const Eigen::Vector2d& focal : focals) mean += focal / n;
-  for (const Eigen::Vector2d& focal : focals) spread += (focal - mean).cwiseAbs2();
-  spread = (spread * (n - 1) / n).cwiseSqrt();
-  return HeldOut{std::sqrt(sum / freedom), spread.x(), spread.y()};
-}
-
-std::optional<LensDifference> difference_of(const CameraParameters& a, const CameraParameters& b,
-                                            double distance_mm) {
-  const auto camera = Camera::create(a);
-  if (!camera || !Camera::create(b)) return std::nullopt;
-  constexpr int kColumns = 16, kRows = 12;
-  BoardView cloud;
-  for (int row = 0; row < kRows; ++row)
-    for (int column = 0; column < kColumns; ++column) {
-      const Eigen::Vector2d pixel((a.width_px - 1) * column / (kColumns - 1.0),
-                                  (a.height_px - 1) * row / (kRows - 1.0));
-      const auto ray = camera->unproject(pixel);
-      if (!ray || ray->direction.head<2>().norm() > 5) continue;  // beyond 79 degrees
-      for (const double part : {2.0 / 3, 4.0 / 3}) {
-        cloud.board_mm.push_back(ray->point_at(part * distance_mm));
-        cloud.pixels.push_back(pixel);
-      }
-    }
-  if (cloud.pixels.size() < 20) return std::nullopt;
-  BoardPose pose;
-  const std::vector<double> ones(cloud.pixels.size(), 1.0);
-  if (!std::isfinite(fit_pose(cloud, b, ones, pose))) return std::nullopt;
-  std::vector<double> differences;
-  const Eigen::VectorXd numbers = lens_numbers(b);
-  for (std::size_t i = 0; i < cloud.pixels.size(); ++i) {
-    const auto seen =
-        project_by(b.model, {numbers.data(), static_cast<std::size_t>(numbers.size())},
-                   pose(cloud.board_mm[i]));
-    if (!seen) return std::nullopt;
-    differences.push_back((seen->pixel - cloud.pixels[i]).norm());
-  }
-  LensDifference result;
-  result.worst_px = *std::max_element(differences.begin(), differences.end());
-  result.median_px = upper_median(differences);
-  return result;
-}
-
-std::optional<LensDifference> difference_of_halves(const std::vector<BoardView>& views,
-                                                   const LensFit& fit, int coefficients,
-                                                   double distance_mm, const Job& job) {
-  if (views.size() < 6) return std::nullopt;
-  std::vector<CameraParameters> lenses;
-  for (const std::size_t half : {0U, 1U}) {
-    const auto [some, start] = part_of(views, fit, [&](std::size_t i) { return i % 2 == half; });
-    const auto fitted = fit_lens(some, start, coefficients, job);
-    if (!fitted) return std::nullopt;
-    lenses.push_back(fitted->lens);
-  }
-  return difference_of(lenses[0], lenses[1], distance_mm);
 }
 
 }  // namespace alltact

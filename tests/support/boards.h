@@ -42,10 +42,15 @@ inline Board chessboard(int columns = 9, int rows = 7, double square_mm = 2.5) {
 
 inline std::vector<Eigen::Vector3d> places(const Board& board) {
   std::vector<Eigen::Vector3d> result;
-  for (int row = 0; row < board.rows; ++row)
-    for (int column = 0; column < board.columns; ++column)
-      result.emplace_back(board.square_mm * column, board.square_mm * row, 0.0);
+  for (int i = 0; i < board.point_count(); ++i) result.push_back(board.point_mm(i));
   return result;
+}
+
+/// The corner that lies opposite the board's first one.
+inline Eigen::Vector3d far_corner_mm(const Board& board) {
+  Eigen::Vector3d far = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& place : places(board)) far = far.cwiseMax(place);
+  return far;
 }
 
 /// Tilted up to `tilt_deg` in any direction, rolled a little, somewhere in the picture, its middle
@@ -58,10 +63,8 @@ BoardPose random_pose(const Board& board, double tilt_deg, double distance, Rand
   const Eigen::AngleAxisd roll(0.3 * unit(random), Eigen::Vector3d::UnitZ());
   const Eigen::AngleAxisd lean(tilt, Eigen::Vector3d(std::cos(way), std::sin(way), 0));
   const Eigen::AngleAxisd turn(Eigen::Matrix3d(lean.toRotationMatrix() * roll.toRotationMatrix()));
-  const double diagonal_mm = board.square_mm * std::hypot(board.columns - 1, board.rows - 1);
-  const double z = diagonal_mm * distance * (1 + 0.15 * unit(random));
-  const Eigen::Vector3d middle(0.5 * board.square_mm * (board.columns - 1),
-                               0.5 * board.square_mm * (board.rows - 1), 0);
+  const Eigen::Vector3d far = far_corner_mm(board), middle = 0.5 * far;
+  const double z = far.norm() * distance * (1 + 0.15 * unit(random));
   BoardPose pose;
   pose.turn = turn.angle() * turn.axis();
   pose.shift_mm =

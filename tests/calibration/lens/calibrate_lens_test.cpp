@@ -78,7 +78,7 @@ TEST(CalibrateLens, TellsWhatTheLensIsWorth) {
   EXPECT_GT(found.held_out->error_px, 0.9 * found.fit.sigma_px);
   EXPECT_LT(found.held_out->error_px, 1.3 * found.fit.sigma_px);
   ASSERT_TRUE(found.halves);
-  EXPECT_LT(found.halves->median_px, 1.0);
+  EXPECT_LT(found.halves->difference.median_px, 1.0);
   EXPECT_EQ(found.verdict.grade, Grade::kGood) << found.verdict.sentence.english();
 }
 
@@ -180,7 +180,7 @@ TEST(LensVerdict, GradesByTheWorstEvidence) {
   LensCalibration evidence;
   evidence.fit.lens.fx_px = 500, evidence.fit.sigma_px = 0.2;
   evidence.focal_sd_part = 0.001;
-  evidence.held_out = HeldOut{0.21, 0.5, 0.5};
+  evidence.held_out = HeldOut{0.21, Eigen::Vector4d::Constant(0.5)};
   evidence.coverage.enough = true;
   EXPECT_EQ(lens_verdict(evidence, 60).grade, Grade::kGood);
   evidence.coverage.enough = false;
