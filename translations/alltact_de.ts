@@ -1049,6 +1049,13 @@
     </message>
 </context>
 <context>
+    <name>alltact::FileFilter</name>
+    <message>
+        <source>Videos (%1);;All files (*)</source>
+        <translation>Videos (%1);;Alle Dateien (*)</translation>
+    </message>
+</context>
+<context>
     <name>alltact::FingerCards</name>
     <message>
         <source>Not calibrated yet</source>
@@ -1846,10 +1853,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Video öffnen</translation>
     </message>
     <message>
-        <source>Videos (*.mkv *.avi *.mp4)</source>
-        <translation>Videos (*.mkv *.avi *.mp4)</translation>
-    </message>
-    <message>
         <source>Open a folder of images</source>
         <translation>Ordner mit Bildern öffnen</translation>
     </message>
@@ -2096,10 +2099,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Punktraster</translation>
     </message>
     <message>
-        <source>&amp;Inner corners, or dots</source>
-        <translation>&amp;Innere Ecken oder Punkte</translation>
-    </message>
-    <message>
         <source>Inner corners in a row</source>
         <translation>Innere Ecken in einer Zeile</translation>
     </message>
@@ -2183,6 +2182,18 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source> mm</source>
         <translation> mm</translation>
     </message>
+    <message>
+        <source>&amp;Inner corners, dots or tags</source>
+        <translation>&amp;Innere Ecken, Punkte oder Tags</translation>
+    </message>
+    <message>
+        <source>Asymmetric grid of dots</source>
+        <translation>Versetztes Punktraster</translation>
+    </message>
+    <message>
+        <source>AprilGrid</source>
+        <translation>AprilGrid</translation>
+    </message>
 </context>
 <context>
     <name>alltact::LensPage</name>
@@ -2221,10 +2232,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>Camera file</source>
         <translation>Kameradatei</translation>
-    </message>
-    <message>
-        <source>camera.yaml from the lens calibration</source>
-        <translation>camera.yaml aus der Objektivkalibrierung</translation>
     </message>
     <message>
         <source>&amp;Choose…</source>
@@ -2289,10 +2296,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>A finger measures through its camera&apos;s lens, so the lens comes first. Measure it once for each camera, with ten to twenty images of a flat board from all sides.</source>
         <translation>Ein Finger misst durch das Objektiv seiner Kamera, darum kommt es zuerst. Messen Sie es für jede Kamera einmal, mit zehn bis zwanzig Bildern einer ebenen Tafel von allen Seiten.</translation>
-    </message>
-    <message>
-        <source>Camera (*.yaml *.yml)</source>
-        <translation>Kamera (*.yaml *.yml)</translation>
     </message>
     <message>
         <source>Folder of board images</source>
@@ -2397,6 +2400,18 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>behind a window</source>
         <translation>hinter einem Fenster</translation>
+    </message>
+    <message>
+        <source>camera.yaml, or a file of ROS, OpenCV, Kalibr, mrcal, PhotonVision or Matlab</source>
+        <translation>camera.yaml oder eine Datei von ROS, OpenCV, Kalibr, mrcal, PhotonVision oder Matlab</translation>
+    </message>
+    <message>
+        <source>Camera (*.yaml *.yml *.json *.xml *.cameramodel *.txt)</source>
+        <translation>Kamera (*.yaml *.yml *.json *.xml *.cameramodel *.txt)</translation>
+    </message>
+    <message>
+        <source>Camera file: %1</source>
+        <translation>Kameradatei: %1</translation>
     </message>
 </context>
 <context>
@@ -2966,10 +2981,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Kameradatei</translation>
     </message>
     <message>
-        <source>Camera (*.yaml *.yml)</source>
-        <translation>Kamera (*.yaml *.yml)</translation>
-    </message>
-    <message>
         <source>No folder is chosen.</source>
         <translation>Es ist kein Ordner angegeben.</translation>
     </message>
@@ -2984,6 +2995,10 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>The first step of the Calibrate page creates it.</source>
         <translation>Der erste Schritt der Seite Kalibrieren erzeugt sie.</translation>
+    </message>
+    <message>
+        <source>Camera (*.yaml *.yml *.json *.xml *.cameramodel *.txt)</source>
+        <translation>Kamera (*.yaml *.yml *.json *.xml *.cameramodel *.txt)</translation>
     </message>
 </context>
 <context>
@@ -4373,10 +4388,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>Video of the bending finger</source>
         <translation>Video des sich biegenden Fingers</translation>
     </message>
-    <message>
-        <source>Videos (*.mkv *.avi *.mp4 *.mov)</source>
-        <translation>Videos (*.mkv *.avi *.mp4 *.mov)</translation>
-    </message>
     <message numerus="yes">
         <source>%n frame(s) with contact are left out.</source>
         <translation>
@@ -4546,10 +4557,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Quelle für den zweiten Finger</translation>
     </message>
     <message>
-        <source>Videos and scenes (*.mkv *.avi *.mp4 *.yaml *.yml)</source>
-        <translation>Videos und Szenen (*.mkv *.avi *.mp4 *.yaml *.yml)</translation>
-    </message>
-    <message>
         <source>The gripper&apos;s file</source>
         <translation>Datei des Greifers</translation>
     </message>
@@ -4691,10 +4698,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
-    </message>
-    <message>
-        <source>Videos (*.mkv *.avi *.mp4)</source>
-        <translation>Videos (*.mkv *.avi *.mp4)</translation>
     </message>
     <message>
         <source>Choose the finger&apos;s folder.</source>
@@ -4911,10 +4914,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>Open a video</source>
         <translation>Video öffnen</translation>
-    </message>
-    <message>
-        <source>Videos (*.mkv *.avi *.mp4)</source>
-        <translation>Videos (*.mkv *.avi *.mp4)</translation>
     </message>
     <message>
         <source>Open a folder of images</source>
@@ -5744,10 +5743,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>eine Kamera dieser Art ({}) hat {} Koeffizienten, hier sind {}</translation>
     </message>
     <message>
-        <source>brown: k1 k2 p1 p2 k3, fisheye: k1 k2 k3 k4, others: []</source>
-        <translation>brown: k1 k2 p1 p2 k3, fisheye: k1 k2 k3 k4, andere: []</translation>
-    </message>
-    <message>
         <source>holds a number that no lens has</source>
         <translation>enthält eine Zahl, die kein Objektiv hat</translation>
     </message>
@@ -6268,16 +6263,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>ein Bild kam mit {} von {} Bytes an</translation>
     </message>
     <message>
-        <source>a frame arrived that is no JPEG</source>
-        <translation>ein Bild kam an, das kein JPEG ist</translation>
-    </message>
-    <message>
         <source>a {}x{} frame arrived instead of {}x{}</source>
         <translation>ein Bild mit {}x{} kam an statt {}x{}</translation>
-    </message>
-    <message>
-        <source>a JPEG arrived truncated or damaged</source>
-        <translation>ein JPEG kam abgeschnitten oder beschädigt an</translation>
     </message>
     <message>
         <source>another program</source>
@@ -6314,18 +6301,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>copy or record it again</source>
         <translation>noch einmal kopieren oder aufnehmen</translation>
-    </message>
-    <message>
-        <source>the image has {} bits per channel (floating point); 8 are needed</source>
-        <translation>das Bild hat {} Bit je Kanal (Gleitkomma); 8 sind nötig</translation>
-    </message>
-    <message>
-        <source>the image has {} bits per channel; 8 are needed</source>
-        <translation>das Bild hat {} Bit je Kanal; 8 sind nötig</translation>
-    </message>
-    <message>
-        <source>the camera&apos;s 8-bit images</source>
-        <translation>die 8-Bit-Bilder der Kamera</translation>
     </message>
     <message>
         <source>the image has transparent parts; a camera image has none</source>
@@ -7630,10 +7605,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>this is neither an image, nor a folder of images, nor a video, nor a scene</source>
         <translation>dies ist weder ein Bild, noch ein Ordner mit Bildern, noch ein Video, noch eine Szene</translation>
-    </message>
-    <message>
-        <source>png, jpg, bmp, tif or pgm images, an mkv, avi or mp4 video, or a yaml scene</source>
-        <translation>png-, jpg-, bmp-, tif- oder pgm-Bilder, ein mkv-, avi- oder mp4-Video, oder eine yaml-Szene</translation>
     </message>
     <message>
         <source>video</source>
@@ -8980,10 +8951,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Abstand des Fingers, für Fehlerangaben in mm</translation>
     </message>
     <message>
-        <source>ChArUco: family of the markers</source>
-        <translation>ChArUco: Familie der Marker</translation>
-    </message>
-    <message>
         <source>ChArUco: a marker&apos;s side as a fraction of a square&apos;s</source>
         <translation>ChArUco: Seite eines Markers als Bruchteil der Seite eines Quadrats</translation>
     </message>
@@ -9040,16 +9007,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>keine einzige ihrer Marken</translation>
     </message>
     <message>
-        <source>only {} of the ChArUco board&apos;s corners are visible, {} are needed</source>
-        <translation>nur {} Ecken der ChArUco-Tafel sind sichtbar, {} sind nötig</translation>
-    </message>
-    <message>
         <source>more of the board in the image, sharp and evenly lit</source>
         <translation>mehr von der Tafel im Bild, scharf und gleichmäßig beleuchtet</translation>
-    </message>
-    <message>
-        <source>only corners in one line of the ChArUco board are visible</source>
-        <translation>nur Ecken auf einer Linie der ChArUco-Tafel sind sichtbar</translation>
     </message>
     <message>
         <source>more of the board in the image</source>
@@ -9242,14 +9201,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>{} (the first: {})</source>
         <translation>{} (das erste: {})</translation>
-    </message>
-    <message>
-        <source>no board with {} was found, but one with {}</source>
-        <translation>keine Tafel mit {} wurde gefunden, aber eine mit {}</translation>
-    </message>
-    <message>
-        <source>--board with {}: inner corners are counted, not squares</source>
-        <translation>--board mit {}: Gezählt werden innere Ecken, nicht Quadrate</translation>
     </message>
     <message>
         <source>--board and --pattern that match the board, and all of it in the image</source>
@@ -10868,28 +10819,12 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>eine Motorstellung dazwischen</translation>
     </message>
     <message>
-        <source>must be &apos;{}&apos;, not &apos;{}&apos;</source>
-        <translation>muss &apos;{}&apos; sein, nicht &apos;{}&apos;</translation>
-    </message>
-    <message>
-        <source>a table of motor positions by time</source>
-        <translation>eine Tabelle der Motorstellungen nach der Zeit</translation>
-    </message>
-    <message>
-        <source>must be a time in ns and a number of turns, not &apos;{}&apos;</source>
-        <translation>muss eine Zeit in ns und eine Zahl von Umdrehungen sein, nicht &apos;{}&apos;</translation>
-    </message>
-    <message>
         <source>for example 123456789,4.25</source>
         <translation>zum Beispiel 123456789,4.25</translation>
     </message>
     <message>
         <source>the time is not after that of the line before</source>
         <translation>die Zeit liegt nicht nach der in der Zeile davor</translation>
-    </message>
-    <message>
-        <source>lines in the order of time</source>
-        <translation>Zeilen in der Reihenfolge der Zeit</translation>
     </message>
     <message>
         <source>holds fewer than two motor positions</source>
@@ -11012,28 +10947,212 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>{} von {} Bildern haben einen Messwert</translation>
     </message>
     <message>
-        <source>a CSV whose first line names t_s (or frame), fx_n and fy_n</source>
-        <translation>eine CSV-Datei, deren erste Zeile t_s (oder frame), fx_n und fy_n nennt</translation>
+        <source>there are numbers where the names of the columns are expected</source>
+        <translation>statt der Namen der Spalten stehen hier Zahlen</translation>
+    </message>
+    <message>
+        <source>the columns &apos;{}&apos; and &apos;{}&apos; both fit {}: rename one of them</source>
+        <translation>die Spalten &apos;{}&apos; und &apos;{}&apos; passen beide zu {}: eine davon umbenennen</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not a unit of the column &apos;{}&apos;: use one of {}</source>
+        <translation>&apos;{}&apos; ist keine Einheit der Spalte &apos;{}&apos;: eine von {} verwenden</translation>
+    </message>
+    <message>
+        <source>the column &apos;{}&apos; is in {} here, in {} by its name</source>
+        <translation>die Spalte &apos;{}&apos; ist hier in {}, nach ihrem Namen in {}</translation>
+    </message>
+    <message>
+        <source>a quotation mark is not closed</source>
+        <translation>ein Anführungszeichen wird nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>there is text behind a closing quotation mark</source>
+        <translation>hinter einem schließenden Anführungszeichen steht Text</translation>
+    </message>
+    <message>
+        <source>the file ends in the middle of this line</source>
+        <translation>die Datei endet mitten in dieser Zeile</translation>
+    </message>
+    <message>
+        <source>copying the file again, or a line end if this line is complete</source>
+        <translation>die Datei neu kopieren, oder ein Zeilenende, falls diese Zeile vollständig ist</translation>
+    </message>
+    <message>
+        <source>decimal points, or semicolons between the cells</source>
+        <translation>Dezimalpunkte, oder Semikolons zwischen den Zellen</translation>
+    </message>
+    <message>
+        <source>The last line of {} (line {}) has no line end: check that the file is complete.</source>
+        <translation>Die letzte Zeile von {} (Zeile {}) hat kein Zeilenende: Bitte prüfen, ob die Datei vollständig ist.</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; has another decimal mark than the other numbers</source>
+        <translation>&apos;{}&apos; hat ein anderes Dezimalzeichen als die übrigen Zahlen</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not an integer in ns: name the column by its unit, as t_ms</source>
+        <translation>&apos;{}&apos; ist keine ganze Zahl in ns: die Einheit im Namen der Spalte angeben, etwa t_ms</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; can have the day or the month first: write the year first, as in 2026-12-31</source>
+        <translation>in &apos;{}&apos; kann der Tag oder der Monat vorn stehen: das Jahr zuerst schreiben, etwa 2026-12-31</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is a time of another form than those before it</source>
+        <translation>&apos;{}&apos; ist eine Zeit in anderer Form als die vorigen</translation>
+    </message>
+    <message>
+        <source>the column &apos;{}&apos; is missing; found: {}</source>
+        <translation>die Spalte &apos;{}&apos; fehlt; gefunden: {}</translation>
+    </message>
+    <message>
+        <source>semicolon-separated</source>
+        <translation>mit Semikolons getrennt</translation>
+    </message>
+    <message>
+        <source>tab-separated</source>
+        <translation>mit Tabulatoren getrennt</translation>
+    </message>
+    <message>
+        <source>comma-separated</source>
+        <translation>mit Kommas getrennt</translation>
+    </message>
+    <message>
+        <source>blank-separated</source>
+        <translation>mit Leerzeichen getrennt</translation>
+    </message>
+    <message>
+        <source>separated by &apos;{}&apos;</source>
+        <translation>mit &apos;{}&apos; getrennt</translation>
+    </message>
+    <message>
+        <source>{} with decimal commas</source>
+        <translation>{}, mit Dezimalkommas</translation>
+    </message>
+    <message>
+        <source>{} from the time stamps of &apos;{}&apos;</source>
+        <translation>{} aus den Zeitstempeln von &apos;{}&apos;</translation>
+    </message>
+    <message>
+        <source>{} from &apos;{}&apos; in {} since 1970</source>
+        <translation>{} aus &apos;{}&apos; in {} seit 1970</translation>
+    </message>
+    <message>
+        <source>{} from &apos;{}&apos; in {}</source>
+        <translation>{} aus &apos;{}&apos; in {}</translation>
+    </message>
+    <message>
+        <source>{} from &apos;{}&apos;</source>
+        <translation>{} aus &apos;{}&apos;</translation>
+    </message>
+    <message>
+        <source>Read {} as {}: {}.</source>
+        <translation>{} gelesen als Tabelle, {}: {}.</translation>
+    </message>
+    <message>
+        <source>this is a workbook of a spreadsheet program, not a text</source>
+        <translation>dies ist eine Arbeitsmappe einer Tabellenkalkulation, kein Text</translation>
+    </message>
+    <message>
+        <source>this is a PDF, not a text</source>
+        <translation>dies ist ein PDF, kein Text</translation>
+    </message>
+    <message>
+        <source>saving the table as CSV</source>
+        <translation>die Tabelle als CSV speichern</translation>
+    </message>
+    <message>
+        <source>the file ends in the middle of a character: it is not complete</source>
+        <translation>die Datei endet mitten in einem Zeichen: sie ist unvollständig</translation>
+    </message>
+    <message>
+        <source>holds a zero byte: this is no text, or was not written to its end</source>
+        <translation>enthält ein Nullbyte: dies ist kein Text oder wurde nicht zu Ende geschrieben</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not a date or time that exists</source>
+        <translation>&apos;{}&apos; ist kein Datum und keine Uhrzeit, die es gibt</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; can be hours and minutes, or minutes and seconds</source>
+        <translation>&apos;{}&apos; können Stunden und Minuten sein, oder Minuten und Sekunden</translation>
+    </message>
+    <message>
+        <source>a table of motor positions by time, with time_ns and turns</source>
+        <translation>eine Tabelle von Motorstellungen nach der Zeit, mit time_ns und turns</translation>
+    </message>
+    <message>
+        <source>the gauge&apos;s times run from {:g} to {:g} s, those of the images from {:g} to {:g} s</source>
+        <translation>die Zeiten des Kraftmessers reichen von {} bis {} s, die der Bilder von {} bis {} s</translation>
+    </message>
+    <message>
+        <source>{}: the unit is wrong by a factor of {:g}</source>
+        <translation>{}: die Einheit ist um den Faktor {} falsch</translation>
+    </message>
+    <message>
+        <source>naming the column &apos;{}&apos; &apos;t_{}&apos; if its times are in {}</source>
+        <translation>die Spalte &apos;{}&apos; in &apos;t_{}&apos; umbenennen, falls ihre Zeiten in {} sind</translation>
+    </message>
+    <message>
+        <source>no frame has a reading: the gauge&apos;s file names &apos;{}&apos;, the recording &apos;{}&apos;</source>
+        <translation>kein Bild hat einen Messwert: die Datei des Kraftmessers nennt &apos;{}&apos;, die Aufnahme &apos;{}&apos;</translation>
+    </message>
+    <message>
+        <source>the names of the images in the column &apos;frame&apos;</source>
+        <translation>die Namen der Bilder in der Spalte &apos;frame&apos;</translation>
+    </message>
+    <message>
+        <source>no frame has a reading: the readings are {:.3g} s apart, at most {} s can be interpolated</source>
+        <translation>kein Bild hat einen Messwert: die Messwerte sind {} s auseinander, höchstens {} s lassen sich interpolieren</translation>
+    </message>
+    <message>
+        <source>a higher rate of the gauge</source>
+        <translation>eine höhere Messrate des Kraftmessers</translation>
+    </message>
+    <message>
+        <source>no frame has a reading: the gauge&apos;s times run from {:g} to {:g} s, those of the images on its clock from {:g} to {:g} s</source>
+        <translation>kein Bild hat einen Messwert: die Zeiten des Kraftmessers reichen von {} bis {} s, die der Bilder auf seiner Uhr von {} bis {} s</translation>
+    </message>
+    <message>
+        <source>a gauge that records with the camera, or --gauge-shift-s</source>
+        <translation>einen Kraftmesser, der gleichzeitig mit der Kamera aufzeichnet, oder --gauge-shift-s</translation>
+    </message>
+    <message>
+        <source>a table whose head names t_s (or frame), and fx_n and fy_n or force_n</source>
+        <translation>eine Tabelle, deren Kopfzeile t_s (oder frame) und fx_n und fy_n oder force_n nennt</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is neither 1 nor 0</source>
+        <translation>&apos;{}&apos; ist weder 1 noch 0</translation>
+    </message>
+    <message>
+        <source>the time &apos;{}&apos; is that of line {}, too</source>
+        <translation>die Zeit &apos;{}&apos; steht auch in Zeile {}</translation>
+    </message>
+    <message>
+        <source>the time &apos;{}&apos; comes after &apos;{}&apos; of line {}, which is later</source>
+        <translation>die Zeit &apos;{}&apos; folgt auf die spätere Zeit &apos;{}&apos; in Zeile {}</translation>
+    </message>
+    <message>
+        <source>the name of the frame is missing</source>
+        <translation>der Name des Bilds fehlt</translation>
+    </message>
+    <message>
+        <source>the frame &apos;{}&apos; is that of line {}, too</source>
+        <translation>das Bild &apos;{}&apos; steht auch in Zeile {}</translation>
+    </message>
+    <message>
+        <source>a table whose head names u0, v0, ..., fx_n, fy_n; alltact force --collect makes one</source>
+        <translation>eine Tabelle, deren Kopfzeile u0, v0, ..., fx_n, fy_n nennt; alltact force --collect erzeugt eine</translation>
     </message>
     <message>
         <source>the gauge&apos;s file holds no reading</source>
         <translation>die Datei des Kraftmessers enthält keinen Messwert</translation>
     </message>
     <message>
-        <source>the gauge&apos;s file is empty</source>
-        <translation>die Datei des Kraftmessers ist leer</translation>
-    </message>
-    <message>
         <source>the column &apos;{}&apos; appears twice</source>
         <translation>die Spalte &apos;{}&apos; kommt zweimal vor</translation>
-    </message>
-    <message>
-        <source>the column &apos;{}&apos; is missing</source>
-        <translation>die Spalte &apos;{}&apos; fehlt</translation>
-    </message>
-    <message>
-        <source>there is neither a column &apos;t_s&apos; nor a column &apos;frame&apos;</source>
-        <translation>es gibt weder eine Spalte &apos;t_s&apos; noch eine Spalte &apos;frame&apos;</translation>
     </message>
     <message>
         <source>the contact position has only one of along_mm and across_mm</source>
@@ -11042,22 +11161,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>has {} cells, not {}</source>
         <translation>hat {} Zellen, nicht {}</translation>
-    </message>
-    <message>
-        <source>&apos;{}&apos; is not a force</source>
-        <translation>&apos;{}&apos; ist keine Kraft</translation>
-    </message>
-    <message>
-        <source>&apos;{}&apos; is not a time</source>
-        <translation>&apos;{}&apos; ist keine Zeit</translation>
-    </message>
-    <message>
-        <source>{} s comes after {} s</source>
-        <translation>{} s kommt nach {} s</translation>
-    </message>
-    <message>
-        <source>the contact position is not a pair of numbers</source>
-        <translation>die Kontaktposition ist kein Zahlenpaar</translation>
     </message>
     <message>
         <source>truth.json of a scene whose pushes have forces</source>
@@ -11086,14 +11189,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>--split block, or several values</source>
         <translation>--split block, oder mehrere Werte</translation>
-    </message>
-    <message>
-        <source>a CSV whose first line names u0, v0, ..., fx_n, fy_n; alltact force --collect makes one</source>
-        <translation>eine CSV-Datei, deren erste Zeile u0, v0, ..., fx_n, fy_n nennt; alltact force --collect erzeugt eine</translation>
-    </message>
-    <message>
-        <source>{}, line 1</source>
-        <translation>{}, Zeile 1</translation>
     </message>
     <message>
         <source>there are no columns u0, v0, ... of markers</source>
@@ -11126,10 +11221,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>&apos;{}&apos; is beyond the measurable range</source>
         <translation>&apos;{}&apos; liegt außerhalb des messbaren Bereichs</translation>
-    </message>
-    <message>
-        <source>seen must be 1 or 0</source>
-        <translation>seen muss 1 oder 0 sein</translation>
     </message>
     <message>
         <source>no marker was seen</source>
@@ -12210,10 +12301,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>this is not the file of the finger&apos;s calibration</source>
         <translation>dies ist nicht die Datei der Kalibrierung dieses Fingers</translation>
-    </message>
-    <message>
-        <source>the column &apos;{}&apos; has no unit of force</source>
-        <translation>die Spalte &apos;{}&apos; hat keine Krafteinheit</translation>
     </message>
     <message>
         <source>pressing in different directions; several tables may be given</source>
@@ -13778,6 +13865,610 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>naming the effect layer or the effect scatter</source>
         <translation>entweder den Effekt layer oder den Effekt scatter anzugeben</translation>
+    </message>
+    <message>
+        <source>of its {} bits per pixel only the lower {} are in use: these were taken as the entire range</source>
+        <translation>von seinen {} Bit je Pixel sind nur die unteren {} in Gebrauch: diese wurden als voller Bereich genommen</translation>
+    </message>
+    <message>
+        <source>it does not state the range of its brightness: 16 to 235 was assumed</source>
+        <translation>der Bereich seiner Helligkeit ist nicht angegeben: 16 bis 235 wurde angenommen</translation>
+    </message>
+    <message>
+        <source>it does not state the range of its brightness: it has levels below 9, so 0 to 255 was assumed</source>
+        <translation>der Bereich seiner Helligkeit ist nicht angegeben: Werte unter 9 kommen vor, also wurde 0 bis 255 angenommen</translation>
+    </message>
+    <message>
+        <source>it is nearly black: no pixel reaches grey level {:.0f} of 255; check light and exposure</source>
+        <translation>es ist fast schwarz: kein Pixel erreicht die Graustufe {:.0f} von 255; Licht und Belichtung prüfen</translation>
+    </message>
+    <message>
+        <source>{:.0f} % of it is saturated; reduce exposure or light</source>
+        <translation>{:.0f} % davon sind übersteuert; Belichtung oder Licht verringern</translation>
+    </message>
+    <message>
+        <source>it is in colour: its channels differ from grey by {:.0f} %; only its brightness is used</source>
+        <translation>es ist farbig: seine Kanäle weichen um {:.0f} % von Grau ab; nur die Helligkeit wird verwendet</translation>
+    </message>
+    <message>
+        <source>another copy, or recording it again</source>
+        <translation>eine andere Kopie, oder neu aufnehmen</translation>
+    </message>
+    <message>
+        <source>this is no JPEG</source>
+        <translation>das ist kein JPEG</translation>
+    </message>
+    <message>
+        <source>its header gives {} x {} px</source>
+        <translation>sein Kopf nennt {} x {} px</translation>
+    </message>
+    <message>
+        <source>the JPEG is truncated or damaged</source>
+        <translation>das JPEG ist abgeschnitten oder beschädigt</translation>
+    </message>
+    <message>
+        <source>of the 16 bits per pixel only the lower {} are in use: these are taken as the entire range</source>
+        <translation>von den 16 Bit je Pixel sind nur die unteren {} in Gebrauch: diese gelten als voller Bereich</translation>
+    </message>
+    <message>
+        <source>its JPEGs contain stray bytes, which cost no pixel</source>
+        <translation>ihre JPEGs enthalten überzählige Bytes, die kein Pixel kosten</translation>
+    </message>
+    <message>
+        <source>this system&apos;s libavcodec cannot read H.264</source>
+        <translation>die libavcodec dieses Systems kann H.264 nicht lesen</translation>
+    </message>
+    <message>
+        <source>another format of the camera</source>
+        <translation>ein anderes Format der Kamera</translation>
+    </message>
+    <message>
+        <source>H.264 cannot be decoded</source>
+        <translation>H.264 lässt sich nicht dekodieren</translation>
+    </message>
+    <message>
+        <source>a frame of H.264 is damaged</source>
+        <translation>ein Bild in H.264 ist beschädigt</translation>
+    </message>
+    <message>
+        <source>the image has {} bits per channel (floating point); 8 to 16 as integers are needed</source>
+        <translation>das Bild hat {} Bit je Kanal (Gleitkomma); nötig sind 8 bis 16 als ganze Zahlen</translation>
+    </message>
+    <message>
+        <source>the camera&apos;s own images</source>
+        <translation>die eigenen Bilder der Kamera</translation>
+    </message>
+    <message>
+        <source>16 bits per pixel were reduced to 8</source>
+        <translation>16 Bit je Pixel wurden auf 8 verringert</translation>
+    </message>
+    <message>
+        <source>of 16 bits per pixel only the lower {} are in use: these were taken as the entire range</source>
+        <translation>von 16 Bit je Pixel sind nur die unteren {} in Gebrauch: diese wurden als voller Bereich genommen</translation>
+    </message>
+    <message>
+        <source>viewers are asked to turn them (Exif orientation {}), which is not done here: the camera&apos;s orientation is a setting of the finger</source>
+        <translation>Betrachter sollen sie drehen (Exif-Ausrichtung {}), was hier nicht geschieht: die Ausrichtung der Kamera ist eine Einstellung des Fingers</translation>
+    </message>
+    <message>
+        <source>png, jpg, bmp, tif or pgm images, a video that players open, or a yaml scene</source>
+        <translation>png-, jpg-, bmp-, tif- oder pgm-Bilder, ein Video, das Abspielprogramme öffnen, oder eine yaml-Szene</translation>
+    </message>
+    <message>
+        <source>stopped before the video was open</source>
+        <translation>abgebrochen, bevor das Video offen war</translation>
+    </message>
+    <message>
+        <source>looking for the order of the video&apos;s frames</source>
+        <translation>suche die Reihenfolge der Bilder des Videos</translation>
+    </message>
+    <message>
+        <source>{} of its {} frames cannot be decoded and are missing</source>
+        <translation>{} seiner {} Bilder lassen sich nicht dekodieren und fehlen</translation>
+    </message>
+    <message>
+        <source>it asks viewers to turn it by {} degrees, which is not done here: the camera&apos;s orientation is a setting of the finger</source>
+        <translation>Betrachter sollen es um {} Grad drehen, was hier nicht geschieht: die Ausrichtung der Kamera ist eine Einstellung des Fingers</translation>
+    </message>
+    <message>
+        <source>The images</source>
+        <translation>Die Bilder</translation>
+    </message>
+    <message>
+        <source>Images of the camera</source>
+        <translation>Bilder der Kamera</translation>
+    </message>
+    <message>
+        <source>AprilGrid</source>
+        <translation>AprilGrid</translation>
+    </message>
+    <message>
+        <source>no markers in the order of this board are visible</source>
+        <translation>keine Marker in der Anordnung dieser Tafel sind sichtbar</translation>
+    </message>
+    <message>
+        <source>the markers of this board are of the dictionary {}, not {}</source>
+        <translation>die Marker dieser Tafel stammen aus dem Wörterbuch {}, nicht {}</translation>
+    </message>
+    <message>
+        <source>--dictionary {}</source>
+        <translation>--dictionary {}</translation>
+    </message>
+    <message>
+        <source>this image is mirrored, unlike others</source>
+        <translation>dieses Bild ist gespiegelt, andere nicht</translation>
+    </message>
+    <message>
+        <source>images from one camera in one mode</source>
+        <translation>Bilder einer Kamera in einer Betriebsart</translation>
+    </message>
+    <message>
+        <source>only {} of the board&apos;s corners are visible, {} are needed</source>
+        <translation>nur {} Ecken der Tafel sind sichtbar, {} sind nötig</translation>
+    </message>
+    <message>
+        <source>only corners in one line of the board are visible</source>
+        <translation>nur Ecken der Tafel auf einer Geraden sind sichtbar</translation>
+    </message>
+    <message>
+        <source>the markers of this board are of the dictionary {}</source>
+        <translation>die Marker dieser Tafel stammen aus dem Wörterbuch {}</translation>
+    </message>
+    <message>
+        <source>this board has the layout of OpenCV before 4.6 and of calib.io: its first square is white</source>
+        <translation>diese Tafel hat die Anordnung von OpenCV vor 4.6 und von calib.io: ihr erstes Feld ist weiß</translation>
+    </message>
+    <message>
+        <source>the first square of this board is white, with a marker</source>
+        <translation>das erste Feld dieser Tafel ist weiß und trägt einen Marker</translation>
+    </message>
+    <message>
+        <source>this board has the layout of OpenCV from 4.6 on: its first square is black</source>
+        <translation>diese Tafel hat die Anordnung von OpenCV ab 4.6: ihr erstes Feld ist schwarz</translation>
+    </message>
+    <message>
+        <source>the markers of this board are counted from {}</source>
+        <translation>die Marker dieser Tafel sind ab {} nummeriert</translation>
+    </message>
+    <message>
+        <source>the board is mirrored in these images; the lens is valid for images that are mirrored in the same direction</source>
+        <translation>die Tafel ist in diesen Bildern gespiegelt; das Objektiv gilt für Bilder, die ebenso gespiegelt sind</translation>
+    </message>
+    <message>
+        <source>black and white of this board are exchanged</source>
+        <translation>Schwarz und Weiß dieser Tafel sind vertauscht</translation>
+    </message>
+    <message>
+        <source>fx and fy differ by {:.1f} %: a board with squares that are {:.1f} % {} than high explains it, and pixels are then square; measure the board&apos;s width and height with a caliper, and print it without scaling</source>
+        <translation>fx und fy unterscheiden sich um {} %: eine Tafel, deren Felder um {} % {} als hoch sind, erklärt es, und die Pixel sind dann quadratisch; Breite und Höhe der Tafel mit dem Messschieber messen und sie ohne Skalierung drucken</translation>
+    </message>
+    <message>
+        <source>fx and fy differ by {:.1f} %, although the board is square within {:.1f} %: the camera stretches its images, or its pixels are not square</source>
+        <translation>fx und fy unterscheiden sich um {} %, obwohl die Tafel auf {} % quadratisch ist: die Kamera streckt ihre Bilder, oder ihre Pixel sind nicht quadratisch</translation>
+    </message>
+    <message>
+        <source>fx and fy differ by {:.1f} %: a board printed {:.1f} % {} than high and pixels that are not square look alike in these views. The board is likelier: measure its width and height with a caliper, and turn it by 90 degrees in half of the views</source>
+        <translation>fx und fy unterscheiden sich um {} %: eine um {} % {} als hoch gedruckte Tafel und nicht quadratische Pixel sehen in diesen Ansichten gleich aus. Wahrscheinlicher ist die Tafel: ihre Breite und Höhe mit dem Messschieber messen und sie in der Hälfte der Ansichten um 90 Grad drehen</translation>
+    </message>
+    <message>
+        <source>with squares of this size the boards are {:.2g} mm from the lens, and the finger {:g} mm: give --square-mm in millimetres, not in {}</source>
+        <translation>mit Feldern dieser Größe sind die Tafeln {} mm vom Objektiv entfernt, der Finger {} mm: --square-mm in Millimetern angeben, nicht in {}</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>Metern</translation>
+    </message>
+    <message>
+        <source>micrometres</source>
+        <translation>Mikrometern</translation>
+    </message>
+    <message>
+        <source>ChArUco, AprilGrid: family of the markers; any tries all</source>
+        <translation>ChArUco, AprilGrid: Familie der Marker; any versucht alle</translation>
+    </message>
+    <message>
+        <source>AprilGrid: gap of two tags as a fraction of a tag&apos;s side</source>
+        <translation>AprilGrid: Abstand zweier Tags als Anteil der Tagseite</translation>
+    </message>
+    <message>
+        <source>asymmetric dots</source>
+        <translation>versetzte Punkte</translation>
+    </message>
+    <message>
+        <source>tags</source>
+        <translation>Tags</translation>
+    </message>
+    <message>
+        <source>inner corners are counted, not squares</source>
+        <translation>gezählt werden innere Ecken, nicht Felder</translation>
+    </message>
+    <message>
+        <source>tags of a row and of a column are counted</source>
+        <translation>gezählt werden die Tags einer Zeile und einer Spalte</translation>
+    </message>
+    <message>
+        <source>dots of a row and of a column are counted</source>
+        <translation>gezählt werden die Punkte einer Zeile und einer Spalte</translation>
+    </message>
+    <message>
+        <source>this board has {}, not {} x {}</source>
+        <translation>diese Tafel hat {}, nicht {} x {}</translation>
+    </message>
+    <message>
+        <source>--board {}x{}: {}</source>
+        <translation>--board {}x{}: {}</translation>
+    </message>
+    <message>
+        <source>this board is {}</source>
+        <translation>diese Tafel ist {}</translation>
+    </message>
+    <message>
+        <source>a ChArUco board</source>
+        <translation>eine ChArUco-Tafel</translation>
+    </message>
+    <message>
+        <source>an AprilGrid</source>
+        <translation>ein AprilGrid</translation>
+    </message>
+    <message>
+        <source>a chessboard with {}</source>
+        <translation>ein Schachbrett mit {}</translation>
+    </message>
+    <message>
+        <source>a symmetric grid with {}</source>
+        <translation>ein symmetrisches Raster mit {}</translation>
+    </message>
+    <message>
+        <source>a grid with {}</source>
+        <translation>ein Raster mit {}</translation>
+    </message>
+    <message>
+        <source>two halves of the views give {} = {:.1f} and {:.1f} px</source>
+        <translation>zwei Hälften der Ansichten ergeben {} = {} und {} px</translation>
+    </message>
+    <message>
+        <source>fx and fy differ by {:.1f} %: the board is likely out of square</source>
+        <translation>fx und fy unterscheiden sich um {} %: die Tafel ist wahrscheinlich nicht maßhaltig</translation>
+    </message>
+    <message>
+        <source>the squares of the board are stretched by {:.1f} %</source>
+        <translation>die Felder der Tafel sind um {} % gestreckt</translation>
+    </message>
+    <message>
+        <source>the board is bent by about {:.2g} mm</source>
+        <translation>die Tafel ist um etwa {} mm gebogen</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is given twice</source>
+        <translation>„{}“ ist zweimal angegeben</translation>
+    </message>
+    <message>
+        <source>an alias stands for nothing</source>
+        <translation>ein Alias steht für nichts</translation>
+    </message>
+    <message>
+        <source>this is not XML: {}</source>
+        <translation>dies ist kein XML: {}</translation>
+    </message>
+    <message>
+        <source>copy the file again</source>
+        <translation>die Datei noch einmal kopieren</translation>
+    </message>
+    <message>
+        <source>a bracket is not closed</source>
+        <translation>eine Klammer ist nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>is a MAT-file, which is not text</source>
+        <translation>ist eine MAT-Datei und kein Text</translation>
+    </message>
+    <message>
+        <source>in Matlab: writelines(jsonencode(toStruct(cameraParams)), &apos;camera.json&apos;)</source>
+        <translation>in Matlab: writelines(jsonencode(toStruct(cameraParams)), &apos;camera.json&apos;)</translation>
+    </message>
+    <message>
+        <source>is a packed archive</source>
+        <translation>ist ein gepacktes Archiv</translation>
+    </message>
+    <message>
+        <source>unpack it, and use a file of it</source>
+        <translation>es entpacken und eine Datei daraus verwenden</translation>
+    </message>
+    <message>
+        <source>is no text file</source>
+        <translation>ist keine Textdatei</translation>
+    </message>
+    <message>
+        <source>a calibration as YAML, JSON or XML</source>
+        <translation>eine Kalibrierung als YAML, JSON oder XML</translation>
+    </message>
+    <message>
+        <source>brown: k1 k2 p1 p2 k3 k4 k5 k6 s1 s2 s3 s4, fisheye: k1 k2 k3 k4, others: []</source>
+        <translation>brown: k1 k2 p1 p2 k3 k4 k5 k6 s1 s2 s3 s4, fisheye: k1 k2 k3 k4, andere: []</translation>
+    </message>
+    <message>
+        <source>keys that are not known here were not read: {}</source>
+        <translation>hier unbekannte Schlüssel wurden nicht gelesen: {}</translation>
+    </message>
+    <message>
+        <source>a camera file of this program</source>
+        <translation>Kameradatei dieses Programms</translation>
+    </message>
+    <message>
+        <source>is a key of other programs, whose numbers would be lost here</source>
+        <translation>ist ein Schlüssel anderer Programme, dessen Zahlen hier verloren gingen</translation>
+    </message>
+    <message>
+        <source>the other program&apos;s file unchanged, or &apos;distortion: [...]&apos; instead of it</source>
+        <translation>die unveränderte Datei des anderen Programms, oder stattdessen &apos;distortion: [...]&apos;</translation>
+    </message>
+    <message>
+        <source>no distortion</source>
+        <translation>ohne Verzeichnung</translation>
+    </message>
+    <message>
+        <source>read as {}: {} x {} px, {:g} mm per px</source>
+        <translation>gelesen als {}: {} x {} px, {} mm je px</translation>
+    </message>
+    <message>
+        <source>read as {}: {} x {} px, fx {:.1f}, {}</source>
+        <translation>gelesen als {}: {} x {} px, fx {}, {}</translation>
+    </message>
+    <message>
+        <source>ends in the middle of a list, as a file that was cut off</source>
+        <translation>endet mitten in einer Liste, wie eine abgeschnittene Datei</translation>
+    </message>
+    <message>
+        <source>copy the file again, or end its last line with a line break</source>
+        <translation>die Datei noch einmal kopieren oder ihre letzte Zeile mit einem Zeilenumbruch beenden</translation>
+    </message>
+    <message>
+        <source>is a block without &apos;data&apos;</source>
+        <translation>ist ein Block ohne &apos;data&apos;</translation>
+    </message>
+    <message>
+        <source>holds more numbers than a camera has</source>
+        <translation>enthält mehr Zahlen, als eine Kamera hat</translation>
+    </message>
+    <message>
+        <source>holds &apos;{}&apos;, which is not a finite number</source>
+        <translation>enthält „{}“, was keine endliche Zahl ist</translation>
+    </message>
+    <message>
+        <source>holds {} numbers instead of {}</source>
+        <translation>enthält {} statt {} Zahlen</translation>
+    </message>
+    <message>
+        <source>must be a single number</source>
+        <translation>muss eine einzelne Zahl sein</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is missing</source>
+        <translation>„{}“ fehlt</translation>
+    </message>
+    <message>
+        <source>contradicts &apos;{}&apos;</source>
+        <translation>widerspricht „{}“</translation>
+    </message>
+    <message>
+        <source>delete the one that is wrong</source>
+        <translation>den falschen Eintrag löschen</translation>
+    </message>
+    <message>
+        <source>{:g} x {:g} is no image size</source>
+        <translation>{} x {} ist keine Bildgröße</translation>
+    </message>
+    <message>
+        <source>holds no width and height</source>
+        <translation>enthält keine Breite und Höhe</translation>
+    </message>
+    <message>
+        <source>is 0: this camera is not calibrated</source>
+        <translation>ist 0: diese Kamera ist nicht kalibriert</translation>
+    </message>
+    <message>
+        <source>a calibration, as of &apos;alltact lens&apos;</source>
+        <translation>eine Kalibrierung, etwa mit &apos;alltact lens&apos;</translation>
+    </message>
+    <message>
+        <source>is no camera matrix, with the last row 0 0 1</source>
+        <translation>ist keine Kameramatrix mit der letzten Zeile 0 0 1</translation>
+    </message>
+    <message>
+        <source>the matrix [fx, 0, cx, 0, fy, cy, 0, 0, 1]</source>
+        <translation>die Matrix [fx, 0, cx, 0, fy, cy, 0, 0, 1]</translation>
+    </message>
+    <message>
+        <source>has a skew of {:g}, which the camera here cannot have</source>
+        <translation>hat eine Scherung von {}, die die Kamera hier nicht haben kann</translation>
+    </message>
+    <message>
+        <source>calibrate again without skew</source>
+        <translation>ohne Scherung neu kalibrieren</translation>
+    </message>
+    <message>
+        <source>the lens model &apos;{}&apos; cannot be expressed here</source>
+        <translation>das Objektivmodell „{}“ lässt sich hier nicht ausdrücken</translation>
+    </message>
+    <message>
+        <source>has {} coefficients; a fisheye has 4</source>
+        <translation>hat {} Koeffizienten; ein Fischauge hat 4</translation>
+    </message>
+    <message>
+        <source>has {} coefficients; OpenCV knows 4, 5, 8, 12 and 14</source>
+        <translation>hat {} Koeffizienten; OpenCV kennt 4, 5, 8, 12 und 14</translation>
+    </message>
+    <message>
+        <source>describes a tilted sensor, which cannot be expressed here</source>
+        <translation>beschreibt einen geneigten Sensor, der sich hier nicht ausdrücken lässt</translation>
+    </message>
+    <message>
+        <source>calibrate again without CALIB_TILTED_MODEL, or run &apos;alltact lens&apos;</source>
+        <translation>ohne CALIB_TILTED_MODEL neu kalibrieren oder &apos;alltact lens&apos; ausführen</translation>
+    </message>
+    <message>
+        <source>has coefficients, while the file names no lens model</source>
+        <translation>hat Koeffizienten, während die Datei kein Objektivmodell nennt</translation>
+    </message>
+    <message>
+        <source>add the model&apos;s name, such as plumb_bob</source>
+        <translation>den Namen des Modells ergänzen, etwa plumb_bob</translation>
+    </message>
+    <message>
+        <source>run &apos;alltact lens&apos; with images of a board</source>
+        <translation>&apos;alltact lens&apos; mit Bildern einer Tafel ausführen</translation>
+    </message>
+    <message>
+        <source>the camera bins its images by {:g}, while its matrix holds for full images</source>
+        <translation>die Kamera fasst Pixel {}-fach zusammen, ihre Matrix gilt aber für volle Bilder</translation>
+    </message>
+    <message>
+        <source>the camera without binning, and &apos;binning_x: 1&apos;, &apos;binning_y: 1&apos;</source>
+        <translation>die Kamera ohne Binning, und &apos;binning_x: 1&apos;, &apos;binning_y: 1&apos;</translation>
+    </message>
+    <message>
+        <source>the camera sends a part of its image, while its matrix holds for all</source>
+        <translation>die Kamera sendet einen Teil ihres Bildes, ihre Matrix gilt aber für das ganze</translation>
+    </message>
+    <message>
+        <source>the camera without a region of interest, and a file without &apos;roi&apos;</source>
+        <translation>die Kamera ohne Bildausschnitt, und eine Datei ohne &apos;roi&apos;</translation>
+    </message>
+    <message>
+        <source>the camera matrix is missing</source>
+        <translation>die Kameramatrix fehlt</translation>
+    </message>
+    <message>
+        <source>add &apos;camera_matrix: [fx, 0, cx, 0, fy, cy, 0, 0, 1]&apos;</source>
+        <translation>&apos;camera_matrix: [fx, 0, cx, 0, fy, cy, 0, 0, 1]&apos; ergänzen</translation>
+    </message>
+    <message>
+        <source>a ROS camera_info file</source>
+        <translation>camera_info-Datei von ROS</translation>
+    </message>
+    <message>
+        <source>an OpenCV calibration</source>
+        <translation>Kalibrierung von OpenCV</translation>
+    </message>
+    <message>
+        <source>the distortion coefficients are missing</source>
+        <translation>die Verzeichnungskoeffizienten fehlen</translation>
+    </message>
+    <message>
+        <source>add &apos;distortion_coefficients: [0, 0, 0, 0, 0]&apos; where there is no distortion</source>
+        <translation>&apos;distortion_coefficients: [0, 0, 0, 0, 0]&apos; ergänzen, wenn es keine Verzeichnung gibt</translation>
+    </message>
+    <message>
+        <source>no lens model is named, so that the 4 coefficients are read as k1 k2 p1 p2; for a fisheye add &apos;distortion_model: fisheye&apos;</source>
+        <translation>kein Objektivmodell ist genannt, daher werden die 4 Koeffizienten als k1 k2 p1 p2 gelesen; für ein Fischauge &apos;distortion_model: fisheye&apos; ergänzen</translation>
+    </message>
+    <message>
+        <source>a Kalibr camera chain</source>
+        <translation>Kamerakette von Kalibr</translation>
+    </message>
+    <message>
+        <source>calibrate again with pinhole-radtan or pinhole-equi</source>
+        <translation>mit pinhole-radtan oder pinhole-equi neu kalibrieren</translation>
+    </message>
+    <message>
+        <source>an mrcal camera model</source>
+        <translation>Kameramodell von mrcal</translation>
+    </message>
+    <message>
+        <source>convert it with mrcal-convert-lensmodel to LENSMODEL_OPENCV8</source>
+        <translation>es mit mrcal-convert-lensmodel in LENSMODEL_OPENCV8 umwandeln</translation>
+    </message>
+    <message>
+        <source>a PhotonVision calibration</source>
+        <translation>Kalibrierung von PhotonVision</translation>
+    </message>
+    <message>
+        <source>calibrate again with LENSMODEL_OPENCV</source>
+        <translation>mit LENSMODEL_OPENCV neu kalibrieren</translation>
+    </message>
+    <message>
+        <source>Matlab&apos;s camera parameters</source>
+        <translation>Kameraparameter von Matlab</translation>
+    </message>
+    <message>
+        <source>the focal lengths are missing</source>
+        <translation>die Brennweiten fehlen</translation>
+    </message>
+    <message>
+        <source>a calibration.json of this program</source>
+        <translation>calibration.json dieses Programms</translation>
+    </message>
+    <message>
+        <source>a newer version of this program</source>
+        <translation>eine neuere Version dieses Programms</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not known here</source>
+        <translation>„{}“ ist hier nicht bekannt</translation>
+    </message>
+    <message>
+        <source>none, flip_u, flip_v, rotate_180, rotate_90 or rotate_270</source>
+        <translation>none, flip_u, flip_v, rotate_180, rotate_90 oder rotate_270</translation>
+    </message>
+    <message>
+        <source>the image size is missing</source>
+        <translation>die Bildgröße fehlt</translation>
+    </message>
+    <message>
+        <source>add image_width and image_height of the calibrated images, in pixels</source>
+        <translation>image_width und image_height der kalibrierten Bilder in Pixeln ergänzen</translation>
+    </message>
+    <message>
+        <source>the principal point {:.1f}, {:.1f} lies outside the image of {} x {} px</source>
+        <translation>der Hauptpunkt {}, {} liegt außerhalb des Bildes von {} x {} px</translation>
+    </message>
+    <message>
+        <source>the size [width, height] of the images that were calibrated</source>
+        <translation>die Größe [Breite, Höhe] der kalibrierten Bilder</translation>
+    </message>
+    <message>
+        <source>holds parameters of a ROS node, without focal lengths</source>
+        <translation>enthält Parameter eines ROS-Knotens ohne Brennweiten</translation>
+    </message>
+    <message>
+        <source>camera_info.yaml of the same export</source>
+        <translation>camera_info.yaml desselben Exports</translation>
+    </message>
+    <message>
+        <source>holds no camera that is known here</source>
+        <translation>enthält keine hier bekannte Kamera</translation>
+    </message>
+    <message>
+        <source>a file of &apos;alltact lens&apos;, ROS, OpenCV, Kalibr, mrcal, PhotonVision or Matlab</source>
+        <translation>eine Datei von &apos;alltact lens&apos;, ROS, OpenCV, Kalibr, mrcal, PhotonVision oder Matlab</translation>
+    </message>
+    <message>
+        <source>holds no camera &apos;{}&apos;</source>
+        <translation>enthält keine Kamera „{}“</translation>
+    </message>
+    <message>
+        <source>holds {} cameras: {}</source>
+        <translation>enthält {} Kameras: {}</translation>
+    </message>
+    <message>
+        <source>one of them by its name: &apos;{}#{}&apos;</source>
+        <translation>eine davon beim Namen nennen: &apos;{}#{}&apos;</translation>
+    </message>
+    <message numerus="yes">
+        <source>{1} with {0} coefficients</source>
+        <comment>{1} with {0} coefficient</comment>
+        <translation>
+            <numerusform>{1} mit {0} Koeffizient</numerusform>
+            <numerusform>{1} mit {0} Koeffizienten</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>holds no number</source>
+        <translation>enthält keine Zahl</translation>
+    </message>
+    <message>
+        <source>the principal point {:.1f}, {:.1f} is the middle of {} x {} px, not of {} x {}</source>
+        <translation>der Hauptpunkt {}, {} ist die Mitte von {} x {} px, nicht von {} x {}</translation>
     </message>
 </context>
 </TS>

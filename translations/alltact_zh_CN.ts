@@ -1040,6 +1040,13 @@
     </message>
 </context>
 <context>
+    <name>alltact::FileFilter</name>
+    <message>
+        <source>Videos (%1);;All files (*)</source>
+        <translation>视频 (%1);;所有文件 (*)</translation>
+    </message>
+</context>
+<context>
     <name>alltact::FingerCards</name>
     <message>
         <source>Not calibrated yet</source>
@@ -1834,10 +1841,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>打开视频</translation>
     </message>
     <message>
-        <source>Videos (*.mkv *.avi *.mp4)</source>
-        <translation>视频 (*.mkv *.avi *.mp4)</translation>
-    </message>
-    <message>
         <source>Open a folder of images</source>
         <translation>打开图像文件夹</translation>
     </message>
@@ -2084,10 +2087,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>圆点阵</translation>
     </message>
     <message>
-        <source>&amp;Inner corners, or dots</source>
-        <translation>内角点或圆点(&amp;I)</translation>
-    </message>
-    <message>
         <source>Inner corners in a row</source>
         <translation>每行内角点数</translation>
     </message>
@@ -2171,6 +2170,18 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source> mm</source>
         <translation> mm</translation>
     </message>
+    <message>
+        <source>&amp;Inner corners, dots or tags</source>
+        <translation>内角点、圆点或标签(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Asymmetric grid of dots</source>
+        <translation>交错圆点阵</translation>
+    </message>
+    <message>
+        <source>AprilGrid</source>
+        <translation>AprilGrid</translation>
+    </message>
 </context>
 <context>
     <name>alltact::LensPage</name>
@@ -2209,10 +2220,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>Camera file</source>
         <translation>相机文件</translation>
-    </message>
-    <message>
-        <source>camera.yaml from the lens calibration</source>
-        <translation>由镜头标定生成的 camera.yaml</translation>
     </message>
     <message>
         <source>&amp;Choose…</source>
@@ -2277,10 +2284,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>A finger measures through its camera&apos;s lens, so the lens comes first. Measure it once for each camera, with ten to twenty images of a flat board from all sides.</source>
         <translation>手指通过相机镜头测量，所以先要知道镜头。每台相机只需测量一次：从各个方向拍摄十到二十张平面标定板的图像。</translation>
-    </message>
-    <message>
-        <source>Camera (*.yaml *.yml)</source>
-        <translation>相机 (*.yaml *.yml)</translation>
     </message>
     <message>
         <source>Folder of board images</source>
@@ -2385,6 +2388,18 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>behind a window</source>
         <translation>隔着窗口</translation>
+    </message>
+    <message>
+        <source>camera.yaml, or a file of ROS, OpenCV, Kalibr, mrcal, PhotonVision or Matlab</source>
+        <translation>camera.yaml，或 ROS、OpenCV、Kalibr、mrcal、PhotonVision 或 Matlab 的文件</translation>
+    </message>
+    <message>
+        <source>Camera (*.yaml *.yml *.json *.xml *.cameramodel *.txt)</source>
+        <translation>相机 (*.yaml *.yml *.json *.xml *.cameramodel *.txt)</translation>
+    </message>
+    <message>
+        <source>Camera file: %1</source>
+        <translation>相机文件：%1</translation>
     </message>
 </context>
 <context>
@@ -2953,10 +2968,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>相机文件</translation>
     </message>
     <message>
-        <source>Camera (*.yaml *.yml)</source>
-        <translation>相机 (*.yaml *.yml)</translation>
-    </message>
-    <message>
         <source>No folder is chosen.</source>
         <translation>未指定文件夹。</translation>
     </message>
@@ -2971,6 +2982,10 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>The first step of the Calibrate page creates it.</source>
         <translation>“标定”页面的第一步会生成它。</translation>
+    </message>
+    <message>
+        <source>Camera (*.yaml *.yml *.json *.xml *.cameramodel *.txt)</source>
+        <translation>相机 (*.yaml *.yml *.json *.xml *.cameramodel *.txt)</translation>
     </message>
 </context>
 <context>
@@ -4343,10 +4358,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>Video of the bending finger</source>
         <translation>手指弯曲的视频</translation>
     </message>
-    <message>
-        <source>Videos (*.mkv *.avi *.mp4 *.mov)</source>
-        <translation>视频 (*.mkv *.avi *.mp4 *.mov)</translation>
-    </message>
     <message numerus="yes">
         <source>%n frame(s) with contact are left out.</source>
         <translation>
@@ -4511,10 +4522,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>第二个手指的来源</translation>
     </message>
     <message>
-        <source>Videos and scenes (*.mkv *.avi *.mp4 *.yaml *.yml)</source>
-        <translation>视频和场景 (*.mkv *.avi *.mp4 *.yaml *.yml)</translation>
-    </message>
-    <message>
         <source>The gripper&apos;s file</source>
         <translation>夹爪文件</translation>
     </message>
@@ -4656,10 +4663,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>Cancel</source>
         <translation>取消</translation>
-    </message>
-    <message>
-        <source>Videos (*.mkv *.avi *.mp4)</source>
-        <translation>视频 (*.mkv *.avi *.mp4)</translation>
     </message>
     <message>
         <source>Choose the finger&apos;s folder.</source>
@@ -4876,10 +4879,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>Open a video</source>
         <translation>打开视频</translation>
-    </message>
-    <message>
-        <source>Videos (*.mkv *.avi *.mp4)</source>
-        <translation>视频 (*.mkv *.avi *.mp4)</translation>
     </message>
     <message>
         <source>Open a folder of images</source>
@@ -5705,10 +5704,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>{} 相机有 {} 个系数，这里有 {} 个</translation>
     </message>
     <message>
-        <source>brown: k1 k2 p1 p2 k3, fisheye: k1 k2 k3 k4, others: []</source>
-        <translation>brown：k1 k2 p1 p2 k3，fisheye：k1 k2 k3 k4，其他：[]</translation>
-    </message>
-    <message>
         <source>holds a number that no lens has</source>
         <translation>含有镜头不可能有的数</translation>
     </message>
@@ -6229,16 +6224,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>收到的帧只有 {} / {} 字节</translation>
     </message>
     <message>
-        <source>a frame arrived that is no JPEG</source>
-        <translation>收到的帧不是 JPEG</translation>
-    </message>
-    <message>
         <source>a {}x{} frame arrived instead of {}x{}</source>
         <translation>收到 {}x{} 的帧，而约定为 {}x{}</translation>
-    </message>
-    <message>
-        <source>a JPEG arrived truncated or damaged</source>
-        <translation>收到的 JPEG 不完整或已损坏</translation>
     </message>
     <message>
         <source>another program</source>
@@ -6275,18 +6262,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>copy or record it again</source>
         <translation>重新复制或录制</translation>
-    </message>
-    <message>
-        <source>the image has {} bits per channel (floating point); 8 are needed</source>
-        <translation>图像每通道 {} 位（浮点）；需要 8 位</translation>
-    </message>
-    <message>
-        <source>the image has {} bits per channel; 8 are needed</source>
-        <translation>图像每通道 {} 位；需要 8 位</translation>
-    </message>
-    <message>
-        <source>the camera&apos;s 8-bit images</source>
-        <translation>使用相机的 8 位图像</translation>
     </message>
     <message>
         <source>the image has transparent parts; a camera image has none</source>
@@ -7591,10 +7566,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>this is neither an image, nor a folder of images, nor a video, nor a scene</source>
         <translation>这不是图像、图像文件夹、视频或场景</translation>
-    </message>
-    <message>
-        <source>png, jpg, bmp, tif or pgm images, an mkv, avi or mp4 video, or a yaml scene</source>
-        <translation>png、jpg、bmp、tif 或 pgm 图像，mkv、avi 或 mp4 视频，或 yaml 场景</translation>
     </message>
     <message>
         <source>video</source>
@@ -8940,10 +8911,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>手指的距离，误差按此距离以 mm 表示</translation>
     </message>
     <message>
-        <source>ChArUco: family of the markers</source>
-        <translation>ChArUco：标记的种类</translation>
-    </message>
-    <message>
         <source>ChArUco: a marker&apos;s side as a fraction of a square&apos;s</source>
         <translation>ChArUco：标记边长占方格边长的比例</translation>
     </message>
@@ -9000,16 +8967,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>一个标记也看不到</translation>
     </message>
     <message>
-        <source>only {} of the ChArUco board&apos;s corners are visible, {} are needed</source>
-        <translation>只看到 ChArUco 板的 {} 个角点，需要 {} 个</translation>
-    </message>
-    <message>
         <source>more of the board in the image, sharp and evenly lit</source>
         <translation>让更多标定板进入画面，清晰且光照均匀</translation>
-    </message>
-    <message>
-        <source>only corners in one line of the ChArUco board are visible</source>
-        <translation>只看到 ChArUco 板上同一直线的角点</translation>
     </message>
     <message>
         <source>more of the board in the image</source>
@@ -9202,14 +9161,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>{} (the first: {})</source>
         <translation>{}（第一张：{}）</translation>
-    </message>
-    <message>
-        <source>no board with {} was found, but one with {}</source>
-        <translation>没有找到 {} 的标定板，但找到了 {} 的</translation>
-    </message>
-    <message>
-        <source>--board with {}: inner corners are counted, not squares</source>
-        <translation>--board 用 {}：数的是内角点，不是方格</translation>
     </message>
     <message>
         <source>--board and --pattern that match the board, and all of it in the image</source>
@@ -10826,28 +10777,12 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>这两者之间的电机位置</translation>
     </message>
     <message>
-        <source>must be &apos;{}&apos;, not &apos;{}&apos;</source>
-        <translation>必须是 &apos;{}&apos;，而不是 &apos;{}&apos;</translation>
-    </message>
-    <message>
-        <source>a table of motor positions by time</source>
-        <translation>按时间排列的电机位置表</translation>
-    </message>
-    <message>
-        <source>must be a time in ns and a number of turns, not &apos;{}&apos;</source>
-        <translation>必须是以 ns 为单位的时间和圈数，而不是 &apos;{}&apos;</translation>
-    </message>
-    <message>
         <source>for example 123456789,4.25</source>
         <translation>例如 123456789,4.25</translation>
     </message>
     <message>
         <source>the time is not after that of the line before</source>
         <translation>时间不晚于上一行的时间</translation>
-    </message>
-    <message>
-        <source>lines in the order of time</source>
-        <translation>按时间顺序排列各行</translation>
     </message>
     <message>
         <source>holds fewer than two motor positions</source>
@@ -10970,28 +10905,212 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>有读数的帧：{} / {}</translation>
     </message>
     <message>
-        <source>a CSV whose first line names t_s (or frame), fx_n and fy_n</source>
-        <translation>第一行含有 t_s（或 frame）、fx_n 和 fy_n 的 CSV 文件</translation>
+        <source>there are numbers where the names of the columns are expected</source>
+        <translation>应为列名之处是数字</translation>
+    </message>
+    <message>
+        <source>the columns &apos;{}&apos; and &apos;{}&apos; both fit {}: rename one of them</source>
+        <translation>列“{}”和“{}”都符合 {}：请重命名其中一列</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not a unit of the column &apos;{}&apos;: use one of {}</source>
+        <translation>“{}”不是列“{}”的单位：请使用 {} 之一</translation>
+    </message>
+    <message>
+        <source>the column &apos;{}&apos; is in {} here, in {} by its name</source>
+        <translation>列“{}”在此处的单位是 {}，其名称中是 {}</translation>
+    </message>
+    <message>
+        <source>a quotation mark is not closed</source>
+        <translation>引号没有闭合</translation>
+    </message>
+    <message>
+        <source>there is text behind a closing quotation mark</source>
+        <translation>右引号之后还有文字</translation>
+    </message>
+    <message>
+        <source>the file ends in the middle of this line</source>
+        <translation>文件在这一行中间结束</translation>
+    </message>
+    <message>
+        <source>copying the file again, or a line end if this line is complete</source>
+        <translation>重新复制文件；如果这一行完整，请加上换行符</translation>
+    </message>
+    <message>
+        <source>decimal points, or semicolons between the cells</source>
+        <translation>使用小数点，或用分号分隔单元格</translation>
+    </message>
+    <message>
+        <source>The last line of {} (line {}) has no line end: check that the file is complete.</source>
+        <translation>{} 的最后一行（第 {} 行）没有换行符：请检查文件是否完整。</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; has another decimal mark than the other numbers</source>
+        <translation>“{}”的小数点符号与其他数字不同</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not an integer in ns: name the column by its unit, as t_ms</source>
+        <translation>“{}”不是以 ns 为单位的整数：请在列名中写明单位，例如 t_ms</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; can have the day or the month first: write the year first, as in 2026-12-31</source>
+        <translation>“{}”可能是日在前，也可能是月在前：请把年写在最前，例如 2026-12-31</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is a time of another form than those before it</source>
+        <translation>时间“{}”的格式与之前的不同</translation>
+    </message>
+    <message>
+        <source>the column &apos;{}&apos; is missing; found: {}</source>
+        <translation>缺少列“{}”；找到的列：{}</translation>
+    </message>
+    <message>
+        <source>semicolon-separated</source>
+        <translation>以分号分隔</translation>
+    </message>
+    <message>
+        <source>tab-separated</source>
+        <translation>以制表符分隔</translation>
+    </message>
+    <message>
+        <source>comma-separated</source>
+        <translation>以逗号分隔</translation>
+    </message>
+    <message>
+        <source>blank-separated</source>
+        <translation>以空格分隔</translation>
+    </message>
+    <message>
+        <source>separated by &apos;{}&apos;</source>
+        <translation>以“{}”分隔</translation>
+    </message>
+    <message>
+        <source>{} with decimal commas</source>
+        <translation>{}，小数点为逗号</translation>
+    </message>
+    <message>
+        <source>{} from the time stamps of &apos;{}&apos;</source>
+        <translation>{} 取自“{}”的时间戳</translation>
+    </message>
+    <message>
+        <source>{} from &apos;{}&apos; in {} since 1970</source>
+        <translation>{} 取自“{}”，单位 {}，自 1970 年起</translation>
+    </message>
+    <message>
+        <source>{} from &apos;{}&apos; in {}</source>
+        <translation>{} 取自“{}”，单位 {}</translation>
+    </message>
+    <message>
+        <source>{} from &apos;{}&apos;</source>
+        <translation>{} 取自“{}”</translation>
+    </message>
+    <message>
+        <source>Read {} as {}: {}.</source>
+        <translation>已读取 {}，{}：{}。</translation>
+    </message>
+    <message>
+        <source>this is a workbook of a spreadsheet program, not a text</source>
+        <translation>这是电子表格程序的工作簿，不是文本</translation>
+    </message>
+    <message>
+        <source>this is a PDF, not a text</source>
+        <translation>这是 PDF，不是文本</translation>
+    </message>
+    <message>
+        <source>saving the table as CSV</source>
+        <translation>将表格另存为 CSV</translation>
+    </message>
+    <message>
+        <source>the file ends in the middle of a character: it is not complete</source>
+        <translation>文件在一个字符中间结束：文件不完整</translation>
+    </message>
+    <message>
+        <source>holds a zero byte: this is no text, or was not written to its end</source>
+        <translation>包含零字节：这不是文本，或者没有写完</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not a date or time that exists</source>
+        <translation>“{}”不是有效的日期或时间</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; can be hours and minutes, or minutes and seconds</source>
+        <translation>“{}”可能是时和分，也可能是分和秒</translation>
+    </message>
+    <message>
+        <source>a table of motor positions by time, with time_ns and turns</source>
+        <translation>电机位置随时间变化的表格，含 time_ns 和 turns</translation>
+    </message>
+    <message>
+        <source>the gauge&apos;s times run from {:g} to {:g} s, those of the images from {:g} to {:g} s</source>
+        <translation>测力计的时间从 {} 到 {} s，图像的时间从 {} 到 {} s</translation>
+    </message>
+    <message>
+        <source>{}: the unit is wrong by a factor of {:g}</source>
+        <translation>{}：单位相差 {} 倍</translation>
+    </message>
+    <message>
+        <source>naming the column &apos;{}&apos; &apos;t_{}&apos; if its times are in {}</source>
+        <translation>如果列“{}”的时间单位如此，请将其命名为“t_{}”（单位 {}）</translation>
+    </message>
+    <message>
+        <source>no frame has a reading: the gauge&apos;s file names &apos;{}&apos;, the recording &apos;{}&apos;</source>
+        <translation>没有一帧有读数：测力计文件中的名称是“{}”，录像中是“{}”</translation>
+    </message>
+    <message>
+        <source>the names of the images in the column &apos;frame&apos;</source>
+        <translation>在“frame”列中使用图像的名称</translation>
+    </message>
+    <message>
+        <source>no frame has a reading: the readings are {:.3g} s apart, at most {} s can be interpolated</source>
+        <translation>没有一帧有读数：读数间隔为 {} s，最多可插值 {} s</translation>
+    </message>
+    <message>
+        <source>a higher rate of the gauge</source>
+        <translation>提高测力计的采样率</translation>
+    </message>
+    <message>
+        <source>no frame has a reading: the gauge&apos;s times run from {:g} to {:g} s, those of the images on its clock from {:g} to {:g} s</source>
+        <translation>没有一帧有读数：测力计的时间从 {} 到 {} s，图像换算到其时钟为从 {} 到 {} s</translation>
+    </message>
+    <message>
+        <source>a gauge that records with the camera, or --gauge-shift-s</source>
+        <translation>让测力计与相机同时记录，或使用 --gauge-shift-s</translation>
+    </message>
+    <message>
+        <source>a table whose head names t_s (or frame), and fx_n and fy_n or force_n</source>
+        <translation>表头含 t_s（或 frame）以及 fx_n 和 fy_n 或 force_n 的表格</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is neither 1 nor 0</source>
+        <translation>“{}”既不是 1 也不是 0</translation>
+    </message>
+    <message>
+        <source>the time &apos;{}&apos; is that of line {}, too</source>
+        <translation>时间“{}”与第 {} 行相同</translation>
+    </message>
+    <message>
+        <source>the time &apos;{}&apos; comes after &apos;{}&apos; of line {}, which is later</source>
+        <translation>时间“{}”出现在更晚的“{}”（第 {} 行）之后</translation>
+    </message>
+    <message>
+        <source>the name of the frame is missing</source>
+        <translation>缺少帧的名称</translation>
+    </message>
+    <message>
+        <source>the frame &apos;{}&apos; is that of line {}, too</source>
+        <translation>帧“{}”与第 {} 行相同</translation>
+    </message>
+    <message>
+        <source>a table whose head names u0, v0, ..., fx_n, fy_n; alltact force --collect makes one</source>
+        <translation>表头含 u0、v0、...、fx_n、fy_n 的表格；alltact force --collect 可生成</translation>
     </message>
     <message>
         <source>the gauge&apos;s file holds no reading</source>
         <translation>测力计文件中没有读数</translation>
     </message>
     <message>
-        <source>the gauge&apos;s file is empty</source>
-        <translation>测力计文件是空的</translation>
-    </message>
-    <message>
         <source>the column &apos;{}&apos; appears twice</source>
         <translation>列 &apos;{}&apos; 出现两次</translation>
-    </message>
-    <message>
-        <source>the column &apos;{}&apos; is missing</source>
-        <translation>缺少列 &apos;{}&apos;</translation>
-    </message>
-    <message>
-        <source>there is neither a column &apos;t_s&apos; nor a column &apos;frame&apos;</source>
-        <translation>既没有列 &apos;t_s&apos;，也没有列 &apos;frame&apos;</translation>
     </message>
     <message>
         <source>the contact position has only one of along_mm and across_mm</source>
@@ -11000,22 +11119,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>has {} cells, not {}</source>
         <translation>有 {} 个单元格，而不是 {} 个</translation>
-    </message>
-    <message>
-        <source>&apos;{}&apos; is not a force</source>
-        <translation>&apos;{}&apos; 不是力</translation>
-    </message>
-    <message>
-        <source>&apos;{}&apos; is not a time</source>
-        <translation>&apos;{}&apos; 不是时间</translation>
-    </message>
-    <message>
-        <source>{} s comes after {} s</source>
-        <translation>{} s 排在 {} s 之后</translation>
-    </message>
-    <message>
-        <source>the contact position is not a pair of numbers</source>
-        <translation>接触位置不是一对数</translation>
     </message>
     <message>
         <source>truth.json of a scene whose pushes have forces</source>
@@ -11044,14 +11147,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>--split block, or several values</source>
         <translation>使用 --split block，或使用该列有多个不同值的表</translation>
-    </message>
-    <message>
-        <source>a CSV whose first line names u0, v0, ..., fx_n, fy_n; alltact force --collect makes one</source>
-        <translation>第一行含有 u0, v0, ..., fx_n, fy_n 的 CSV 文件；alltact force --collect 可生成</translation>
-    </message>
-    <message>
-        <source>{}, line 1</source>
-        <translation>{}，第 1 行</translation>
     </message>
     <message>
         <source>there are no columns u0, v0, ... of markers</source>
@@ -11084,10 +11179,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>&apos;{}&apos; is beyond the measurable range</source>
         <translation>&apos;{}&apos; 超出可测范围</translation>
-    </message>
-    <message>
-        <source>seen must be 1 or 0</source>
-        <translation>seen 只能是 1 或 0</translation>
     </message>
     <message>
         <source>no marker was seen</source>
@@ -12167,10 +12258,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>this is not the file of the finger&apos;s calibration</source>
         <translation>这不是该手指标定的文件</translation>
-    </message>
-    <message>
-        <source>the column &apos;{}&apos; has no unit of force</source>
-        <translation>列 &apos;{}&apos; 的单位不是力的单位</translation>
     </message>
     <message>
         <source>pressing in different directions; several tables may be given</source>
@@ -13719,6 +13806,609 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>naming the effect layer or the effect scatter</source>
         <translation>只写效果 layer 或效果 scatter 之一</translation>
+    </message>
+    <message>
+        <source>of its {} bits per pixel only the lower {} are in use: these were taken as the entire range</source>
+        <translation>每像素 {} 位中只用了低 {} 位：已将其作为整个范围</translation>
+    </message>
+    <message>
+        <source>it does not state the range of its brightness: 16 to 235 was assumed</source>
+        <translation>未注明亮度范围：按 16 到 235 处理</translation>
+    </message>
+    <message>
+        <source>it does not state the range of its brightness: it has levels below 9, so 0 to 255 was assumed</source>
+        <translation>未注明亮度范围：含有低于 9 的灰度，因此按 0 到 255 处理</translation>
+    </message>
+    <message>
+        <source>it is nearly black: no pixel reaches grey level {:.0f} of 255; check light and exposure</source>
+        <translation>画面几乎全黑：没有像素达到 255 级中的第 {:.0f} 级；请检查灯光和曝光</translation>
+    </message>
+    <message>
+        <source>{:.0f} % of it is saturated; reduce exposure or light</source>
+        <translation>{:.0f} % 的画面已饱和；请减小曝光或灯光</translation>
+    </message>
+    <message>
+        <source>it is in colour: its channels differ from grey by {:.0f} %; only its brightness is used</source>
+        <translation>它是彩色的：各通道与灰度相差 {:.0f} %；只使用其亮度</translation>
+    </message>
+    <message>
+        <source>another copy, or recording it again</source>
+        <translation>换一个副本，或重新录制</translation>
+    </message>
+    <message>
+        <source>this is no JPEG</source>
+        <translation>这不是 JPEG</translation>
+    </message>
+    <message>
+        <source>its header gives {} x {} px</source>
+        <translation>其文件头给出 {} x {} px</translation>
+    </message>
+    <message>
+        <source>the JPEG is truncated or damaged</source>
+        <translation>该 JPEG 不完整或已损坏</translation>
+    </message>
+    <message>
+        <source>of the 16 bits per pixel only the lower {} are in use: these are taken as the entire range</source>
+        <translation>每像素 16 位中只用了低 {} 位：将其作为整个范围</translation>
+    </message>
+    <message>
+        <source>its JPEGs contain stray bytes, which cost no pixel</source>
+        <translation>其 JPEG 含有多余字节，但不影响任何像素</translation>
+    </message>
+    <message>
+        <source>this system&apos;s libavcodec cannot read H.264</source>
+        <translation>本系统的 libavcodec 无法读取 H.264</translation>
+    </message>
+    <message>
+        <source>another format of the camera</source>
+        <translation>相机的另一种格式</translation>
+    </message>
+    <message>
+        <source>H.264 cannot be decoded</source>
+        <translation>无法解码 H.264</translation>
+    </message>
+    <message>
+        <source>a frame of H.264 is damaged</source>
+        <translation>一帧 H.264 图像已损坏</translation>
+    </message>
+    <message>
+        <source>the image has {} bits per channel (floating point); 8 to 16 as integers are needed</source>
+        <translation>图像每通道为 {} 位（浮点）；需要 8 到 16 位整数</translation>
+    </message>
+    <message>
+        <source>the camera&apos;s own images</source>
+        <translation>相机本身的图像</translation>
+    </message>
+    <message>
+        <source>16 bits per pixel were reduced to 8</source>
+        <translation>每像素 16 位已缩减为 8 位</translation>
+    </message>
+    <message>
+        <source>of 16 bits per pixel only the lower {} are in use: these were taken as the entire range</source>
+        <translation>每像素 16 位中仅用了低 {} 位：已将其作为整个范围</translation>
+    </message>
+    <message>
+        <source>viewers are asked to turn them (Exif orientation {}), which is not done here: the camera&apos;s orientation is a setting of the finger</source>
+        <translation>标签要求查看器旋转它们（Exif 方向 {}），此处未旋转：相机方向是手指的一项设置</translation>
+    </message>
+    <message>
+        <source>png, jpg, bmp, tif or pgm images, a video that players open, or a yaml scene</source>
+        <translation>png、jpg、bmp、tif 或 pgm 图像，播放器能打开的视频，或 yaml 场景</translation>
+    </message>
+    <message>
+        <source>stopped before the video was open</source>
+        <translation>视频打开之前已停止</translation>
+    </message>
+    <message>
+        <source>looking for the order of the video&apos;s frames</source>
+        <translation>正在确定视频各帧的顺序</translation>
+    </message>
+    <message>
+        <source>{} of its {} frames cannot be decoded and are missing</source>
+        <translation>其 {1} 帧中有 {0} 帧无法解码，已缺失</translation>
+    </message>
+    <message>
+        <source>it asks viewers to turn it by {} degrees, which is not done here: the camera&apos;s orientation is a setting of the finger</source>
+        <translation>它要求查看器旋转 {} 度，此处未旋转：相机方向是手指的一项设置</translation>
+    </message>
+    <message>
+        <source>The images</source>
+        <translation>图像</translation>
+    </message>
+    <message>
+        <source>Images of the camera</source>
+        <translation>相机图像</translation>
+    </message>
+    <message>
+        <source>AprilGrid</source>
+        <translation>AprilGrid</translation>
+    </message>
+    <message>
+        <source>no markers in the order of this board are visible</source>
+        <translation>看不到按此标定板顺序排列的标记</translation>
+    </message>
+    <message>
+        <source>the markers of this board are of the dictionary {}, not {}</source>
+        <translation>此标定板的标记属于字典 {}，而不是 {}</translation>
+    </message>
+    <message>
+        <source>--dictionary {}</source>
+        <translation>--dictionary {}</translation>
+    </message>
+    <message>
+        <source>this image is mirrored, unlike others</source>
+        <translation>此图像是镜像的，与其他图像不同</translation>
+    </message>
+    <message>
+        <source>images from one camera in one mode</source>
+        <translation>同一相机同一模式下的图像</translation>
+    </message>
+    <message>
+        <source>only {} of the board&apos;s corners are visible, {} are needed</source>
+        <translation>标定板只有 {} 个角点可见，需要 {} 个</translation>
+    </message>
+    <message>
+        <source>only corners in one line of the board are visible</source>
+        <translation>标定板可见的角点都在一条直线上</translation>
+    </message>
+    <message>
+        <source>the markers of this board are of the dictionary {}</source>
+        <translation>此标定板的标记属于字典 {}</translation>
+    </message>
+    <message>
+        <source>this board has the layout of OpenCV before 4.6 and of calib.io: its first square is white</source>
+        <translation>此标定板采用 OpenCV 4.6 之前版本和 calib.io 的布局：第一个方格为白色</translation>
+    </message>
+    <message>
+        <source>the first square of this board is white, with a marker</source>
+        <translation>此标定板的第一个方格为白色并带有标记</translation>
+    </message>
+    <message>
+        <source>this board has the layout of OpenCV from 4.6 on: its first square is black</source>
+        <translation>此标定板采用 OpenCV 4.6 及以后版本的布局：第一个方格为黑色</translation>
+    </message>
+    <message>
+        <source>the markers of this board are counted from {}</source>
+        <translation>此标定板的标记从 {} 开始编号</translation>
+    </message>
+    <message>
+        <source>the board is mirrored in these images; the lens is valid for images that are mirrored in the same direction</source>
+        <translation>标定板在这些图像中是镜像的；镜头参数只适用于同样镜像的图像</translation>
+    </message>
+    <message>
+        <source>black and white of this board are exchanged</source>
+        <translation>此标定板的黑白颠倒</translation>
+    </message>
+    <message>
+        <source>fx and fy differ by {:.1f} %: a board with squares that are {:.1f} % {} than high explains it, and pixels are then square; measure the board&apos;s width and height with a caliper, and print it without scaling</source>
+        <translation>fx 与 fy 相差 {0} %：如果标定板方格的宽比高{2} {1} %，就能解释这一差异，此时像素为正方形；请用卡尺测量标定板的宽和高，并且打印时不要缩放</translation>
+    </message>
+    <message>
+        <source>fx and fy differ by {:.1f} %, although the board is square within {:.1f} %: the camera stretches its images, or its pixels are not square</source>
+        <translation>fx 与 fy 相差 {} %，但标定板在 {} % 以内为正方形：相机拉伸了图像，或者像素不是正方形</translation>
+    </message>
+    <message>
+        <source>fx and fy differ by {:.1f} %: a board printed {:.1f} % {} than high and pixels that are not square look alike in these views. The board is likelier: measure its width and height with a caliper, and turn it by 90 degrees in half of the views</source>
+        <translation>fx 与 fy 相差 {0} %：打印时宽比高{2} {1} % 的标定板与非正方形像素在这些视图中无法区分。更可能是标定板的问题：请用卡尺测量其宽和高，并在一半的视图中将其旋转 90 度</translation>
+    </message>
+    <message>
+        <source>with squares of this size the boards are {:.2g} mm from the lens, and the finger {:g} mm: give --square-mm in millimetres, not in {}</source>
+        <translation>按此方格尺寸，标定板距镜头 {} mm，而手指距镜头 {} mm：--square-mm 应以毫米为单位，而不是{}</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>米</translation>
+    </message>
+    <message>
+        <source>micrometres</source>
+        <translation>微米</translation>
+    </message>
+    <message>
+        <source>ChArUco, AprilGrid: family of the markers; any tries all</source>
+        <translation>ChArUco、AprilGrid：标记字典；any 表示逐一尝试</translation>
+    </message>
+    <message>
+        <source>AprilGrid: gap of two tags as a fraction of a tag&apos;s side</source>
+        <translation>AprilGrid：标签间隔与标签边长之比</translation>
+    </message>
+    <message>
+        <source>asymmetric dots</source>
+        <translation>交错圆点</translation>
+    </message>
+    <message>
+        <source>tags</source>
+        <translation>标签</translation>
+    </message>
+    <message>
+        <source>inner corners are counted, not squares</source>
+        <translation>数的是内角点，不是方格</translation>
+    </message>
+    <message>
+        <source>tags of a row and of a column are counted</source>
+        <translation>数的是一行和一列的标签</translation>
+    </message>
+    <message>
+        <source>dots of a row and of a column are counted</source>
+        <translation>数的是一行和一列的圆点</translation>
+    </message>
+    <message>
+        <source>this board has {}, not {} x {}</source>
+        <translation>此标定板有 {}，而不是 {} x {}</translation>
+    </message>
+    <message>
+        <source>--board {}x{}: {}</source>
+        <translation>--board {}x{}：{}</translation>
+    </message>
+    <message>
+        <source>this board is {}</source>
+        <translation>此标定板是{}</translation>
+    </message>
+    <message>
+        <source>a ChArUco board</source>
+        <translation>ChArUco 板</translation>
+    </message>
+    <message>
+        <source>an AprilGrid</source>
+        <translation>AprilGrid</translation>
+    </message>
+    <message>
+        <source>a chessboard with {}</source>
+        <translation>{}的棋盘格</translation>
+    </message>
+    <message>
+        <source>a symmetric grid with {}</source>
+        <translation>{}的对称网格</translation>
+    </message>
+    <message>
+        <source>a grid with {}</source>
+        <translation>{}的网格</translation>
+    </message>
+    <message>
+        <source>two halves of the views give {} = {:.1f} and {:.1f} px</source>
+        <translation>两半视图分别给出 {} = {} 和 {} px</translation>
+    </message>
+    <message>
+        <source>fx and fy differ by {:.1f} %: the board is likely out of square</source>
+        <translation>fx 与 fy 相差 {} %：标定板的长宽比例很可能不准</translation>
+    </message>
+    <message>
+        <source>the squares of the board are stretched by {:.1f} %</source>
+        <translation>标定板的方格被拉伸了 {} %</translation>
+    </message>
+    <message>
+        <source>the board is bent by about {:.2g} mm</source>
+        <translation>标定板弯曲约 {} mm</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is given twice</source>
+        <translation>“{}”给出了两次</translation>
+    </message>
+    <message>
+        <source>an alias stands for nothing</source>
+        <translation>别名没有对应的内容</translation>
+    </message>
+    <message>
+        <source>this is not XML: {}</source>
+        <translation>这不是 XML：{}</translation>
+    </message>
+    <message>
+        <source>copy the file again</source>
+        <translation>重新复制该文件</translation>
+    </message>
+    <message>
+        <source>a bracket is not closed</source>
+        <translation>括号没有闭合</translation>
+    </message>
+    <message>
+        <source>is a MAT-file, which is not text</source>
+        <translation>是 MAT 文件，不是文本</translation>
+    </message>
+    <message>
+        <source>in Matlab: writelines(jsonencode(toStruct(cameraParams)), &apos;camera.json&apos;)</source>
+        <translation>在 Matlab 中：writelines(jsonencode(toStruct(cameraParams)), &apos;camera.json&apos;)</translation>
+    </message>
+    <message>
+        <source>is a packed archive</source>
+        <translation>是压缩包</translation>
+    </message>
+    <message>
+        <source>unpack it, and use a file of it</source>
+        <translation>解压后使用其中的文件</translation>
+    </message>
+    <message>
+        <source>is no text file</source>
+        <translation>不是文本文件</translation>
+    </message>
+    <message>
+        <source>a calibration as YAML, JSON or XML</source>
+        <translation>YAML、JSON 或 XML 格式的标定</translation>
+    </message>
+    <message>
+        <source>brown: k1 k2 p1 p2 k3 k4 k5 k6 s1 s2 s3 s4, fisheye: k1 k2 k3 k4, others: []</source>
+        <translation>brown：k1 k2 p1 p2 k3 k4 k5 k6 s1 s2 s3 s4，fisheye：k1 k2 k3 k4，其他：[]</translation>
+    </message>
+    <message>
+        <source>keys that are not known here were not read: {}</source>
+        <translation>以下键在此未知，未被读取：{}</translation>
+    </message>
+    <message>
+        <source>a camera file of this program</source>
+        <translation>本程序的相机文件</translation>
+    </message>
+    <message>
+        <source>is a key of other programs, whose numbers would be lost here</source>
+        <translation>是其他程序的键，其数值在此会丢失</translation>
+    </message>
+    <message>
+        <source>the other program&apos;s file unchanged, or &apos;distortion: [...]&apos; instead of it</source>
+        <translation>使用其他程序的原始文件，或改写为 &apos;distortion: [...]&apos;</translation>
+    </message>
+    <message>
+        <source>no distortion</source>
+        <translation>无畸变</translation>
+    </message>
+    <message>
+        <source>read as {}: {} x {} px, {:g} mm per px</source>
+        <translation>读作{}：{} x {} px，每 px {} mm</translation>
+    </message>
+    <message>
+        <source>read as {}: {} x {} px, fx {:.1f}, {}</source>
+        <translation>读作{}：{} x {} px，fx {}，{}</translation>
+    </message>
+    <message>
+        <source>ends in the middle of a list, as a file that was cut off</source>
+        <translation>在列表中间结束，像是被截断的文件</translation>
+    </message>
+    <message>
+        <source>copy the file again, or end its last line with a line break</source>
+        <translation>重新复制该文件，或在最后一行末尾加换行</translation>
+    </message>
+    <message>
+        <source>is a block without &apos;data&apos;</source>
+        <translation>是没有 &apos;data&apos; 的块</translation>
+    </message>
+    <message>
+        <source>holds more numbers than a camera has</source>
+        <translation>含有的数多于相机所有的</translation>
+    </message>
+    <message>
+        <source>holds &apos;{}&apos;, which is not a finite number</source>
+        <translation>含有“{}”，不是有限的数</translation>
+    </message>
+    <message>
+        <source>holds {} numbers instead of {}</source>
+        <translation>含有 {} 个数，而不是 {} 个</translation>
+    </message>
+    <message>
+        <source>must be a single number</source>
+        <translation>必须是单个数</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is missing</source>
+        <translation>缺少“{}”</translation>
+    </message>
+    <message>
+        <source>contradicts &apos;{}&apos;</source>
+        <translation>与“{}”矛盾</translation>
+    </message>
+    <message>
+        <source>delete the one that is wrong</source>
+        <translation>删除错误的那一项</translation>
+    </message>
+    <message>
+        <source>{:g} x {:g} is no image size</source>
+        <translation>{} x {} 不是图像尺寸</translation>
+    </message>
+    <message>
+        <source>holds no width and height</source>
+        <translation>不含宽度和高度</translation>
+    </message>
+    <message>
+        <source>is 0: this camera is not calibrated</source>
+        <translation>为 0：该相机未标定</translation>
+    </message>
+    <message>
+        <source>a calibration, as of &apos;alltact lens&apos;</source>
+        <translation>先标定，例如用 &apos;alltact lens&apos;</translation>
+    </message>
+    <message>
+        <source>is no camera matrix, with the last row 0 0 1</source>
+        <translation>不是末行为 0 0 1 的相机矩阵</translation>
+    </message>
+    <message>
+        <source>the matrix [fx, 0, cx, 0, fy, cy, 0, 0, 1]</source>
+        <translation>矩阵 [fx, 0, cx, 0, fy, cy, 0, 0, 1]</translation>
+    </message>
+    <message>
+        <source>has a skew of {:g}, which the camera here cannot have</source>
+        <translation>有 {} 的倾斜系数，此处的相机不支持</translation>
+    </message>
+    <message>
+        <source>calibrate again without skew</source>
+        <translation>不带倾斜系数重新标定</translation>
+    </message>
+    <message>
+        <source>the lens model &apos;{}&apos; cannot be expressed here</source>
+        <translation>镜头模型“{}”在此无法表示</translation>
+    </message>
+    <message>
+        <source>has {} coefficients; a fisheye has 4</source>
+        <translation>有 {} 个系数；鱼眼镜头有 4 个</translation>
+    </message>
+    <message>
+        <source>has {} coefficients; OpenCV knows 4, 5, 8, 12 and 14</source>
+        <translation>有 {} 个系数；OpenCV 支持 4、5、8、12 和 14 个</translation>
+    </message>
+    <message>
+        <source>describes a tilted sensor, which cannot be expressed here</source>
+        <translation>描述了倾斜的传感器，在此无法表示</translation>
+    </message>
+    <message>
+        <source>calibrate again without CALIB_TILTED_MODEL, or run &apos;alltact lens&apos;</source>
+        <translation>不用 CALIB_TILTED_MODEL 重新标定，或运行 &apos;alltact lens&apos;</translation>
+    </message>
+    <message>
+        <source>has coefficients, while the file names no lens model</source>
+        <translation>有系数，但文件没有写明镜头模型</translation>
+    </message>
+    <message>
+        <source>add the model&apos;s name, such as plumb_bob</source>
+        <translation>补上模型名，例如 plumb_bob</translation>
+    </message>
+    <message>
+        <source>run &apos;alltact lens&apos; with images of a board</source>
+        <translation>用标定板图像运行 &apos;alltact lens&apos;</translation>
+    </message>
+    <message>
+        <source>the camera bins its images by {:g}, while its matrix holds for full images</source>
+        <translation>相机按 {} 合并像素，而其矩阵适用于完整图像</translation>
+    </message>
+    <message>
+        <source>the camera without binning, and &apos;binning_x: 1&apos;, &apos;binning_y: 1&apos;</source>
+        <translation>关闭像素合并，并写 &apos;binning_x: 1&apos;、&apos;binning_y: 1&apos;</translation>
+    </message>
+    <message>
+        <source>the camera sends a part of its image, while its matrix holds for all</source>
+        <translation>相机只发送部分图像，而其矩阵适用于完整图像</translation>
+    </message>
+    <message>
+        <source>the camera without a region of interest, and a file without &apos;roi&apos;</source>
+        <translation>关闭感兴趣区域，并使用没有 &apos;roi&apos; 的文件</translation>
+    </message>
+    <message>
+        <source>the camera matrix is missing</source>
+        <translation>缺少相机矩阵</translation>
+    </message>
+    <message>
+        <source>add &apos;camera_matrix: [fx, 0, cx, 0, fy, cy, 0, 0, 1]&apos;</source>
+        <translation>补上 &apos;camera_matrix: [fx, 0, cx, 0, fy, cy, 0, 0, 1]&apos;</translation>
+    </message>
+    <message>
+        <source>a ROS camera_info file</source>
+        <translation>ROS camera_info 文件</translation>
+    </message>
+    <message>
+        <source>an OpenCV calibration</source>
+        <translation>OpenCV 标定</translation>
+    </message>
+    <message>
+        <source>the distortion coefficients are missing</source>
+        <translation>缺少畸变系数</translation>
+    </message>
+    <message>
+        <source>add &apos;distortion_coefficients: [0, 0, 0, 0, 0]&apos; where there is no distortion</source>
+        <translation>若无畸变，补上 &apos;distortion_coefficients: [0, 0, 0, 0, 0]&apos;</translation>
+    </message>
+    <message>
+        <source>no lens model is named, so that the 4 coefficients are read as k1 k2 p1 p2; for a fisheye add &apos;distortion_model: fisheye&apos;</source>
+        <translation>没有写明镜头模型，因此 4 个系数读作 k1 k2 p1 p2；若是鱼眼镜头，请补上 &apos;distortion_model: fisheye&apos;</translation>
+    </message>
+    <message>
+        <source>a Kalibr camera chain</source>
+        <translation>Kalibr 相机链</translation>
+    </message>
+    <message>
+        <source>calibrate again with pinhole-radtan or pinhole-equi</source>
+        <translation>用 pinhole-radtan 或 pinhole-equi 重新标定</translation>
+    </message>
+    <message>
+        <source>an mrcal camera model</source>
+        <translation>mrcal 相机模型</translation>
+    </message>
+    <message>
+        <source>convert it with mrcal-convert-lensmodel to LENSMODEL_OPENCV8</source>
+        <translation>用 mrcal-convert-lensmodel 转换为 LENSMODEL_OPENCV8</translation>
+    </message>
+    <message>
+        <source>a PhotonVision calibration</source>
+        <translation>PhotonVision 标定</translation>
+    </message>
+    <message>
+        <source>calibrate again with LENSMODEL_OPENCV</source>
+        <translation>用 LENSMODEL_OPENCV 重新标定</translation>
+    </message>
+    <message>
+        <source>Matlab&apos;s camera parameters</source>
+        <translation>Matlab 相机参数</translation>
+    </message>
+    <message>
+        <source>the focal lengths are missing</source>
+        <translation>缺少焦距</translation>
+    </message>
+    <message>
+        <source>a calibration.json of this program</source>
+        <translation>本程序的 calibration.json</translation>
+    </message>
+    <message>
+        <source>a newer version of this program</source>
+        <translation>使用本程序的较新版本</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not known here</source>
+        <translation>“{}”在此未知</translation>
+    </message>
+    <message>
+        <source>none, flip_u, flip_v, rotate_180, rotate_90 or rotate_270</source>
+        <translation>none、flip_u、flip_v、rotate_180、rotate_90 或 rotate_270</translation>
+    </message>
+    <message>
+        <source>the image size is missing</source>
+        <translation>缺少图像尺寸</translation>
+    </message>
+    <message>
+        <source>add image_width and image_height of the calibrated images, in pixels</source>
+        <translation>补上标定图像的 image_width 和 image_height（像素）</translation>
+    </message>
+    <message>
+        <source>the principal point {:.1f}, {:.1f} lies outside the image of {} x {} px</source>
+        <translation>主点 {}, {} 位于 {} x {} px 的图像之外</translation>
+    </message>
+    <message>
+        <source>the size [width, height] of the images that were calibrated</source>
+        <translation>所标定图像的尺寸 [宽, 高]</translation>
+    </message>
+    <message>
+        <source>holds parameters of a ROS node, without focal lengths</source>
+        <translation>含有 ROS 节点的参数，没有焦距</translation>
+    </message>
+    <message>
+        <source>camera_info.yaml of the same export</source>
+        <translation>同一次导出的 camera_info.yaml</translation>
+    </message>
+    <message>
+        <source>holds no camera that is known here</source>
+        <translation>不含此处可识别的相机</translation>
+    </message>
+    <message>
+        <source>a file of &apos;alltact lens&apos;, ROS, OpenCV, Kalibr, mrcal, PhotonVision or Matlab</source>
+        <translation>&apos;alltact lens&apos;、ROS、OpenCV、Kalibr、mrcal、PhotonVision 或 Matlab 的文件</translation>
+    </message>
+    <message>
+        <source>holds no camera &apos;{}&apos;</source>
+        <translation>不含相机“{}”</translation>
+    </message>
+    <message>
+        <source>holds {} cameras: {}</source>
+        <translation>含有 {} 个相机：{}</translation>
+    </message>
+    <message>
+        <source>one of them by its name: &apos;{}#{}&apos;</source>
+        <translation>用名称指定其中一个：&apos;{}#{}&apos;</translation>
+    </message>
+    <message numerus="yes">
+        <source>{1} with {0} coefficients</source>
+        <comment>{1} with {0} coefficient</comment>
+        <translation>
+            <numerusform>{1}，{0} 个系数</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>holds no number</source>
+        <translation>不含数</translation>
+    </message>
+    <message>
+        <source>the principal point {:.1f}, {:.1f} is the middle of {} x {} px, not of {} x {}</source>
+        <translation>主点 {}, {} 是 {} x {} px 的中心，而不是 {} x {} 的</translation>
     </message>
 </context>
 </TS>

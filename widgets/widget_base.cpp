@@ -123,6 +123,16 @@ void show_dialog(QDialog& dialog) {
   dialog.show();
 }
 
+QString video_filter(const QString& more) {
+  QStringList patterns;
+  for (const char* ending : {"mkv", "webm", "avi", "mp4", "m4v", "mov", "ts", "mpg", "wmv"})
+    for (const QString& one : {QString::fromLatin1(ending), QString::fromLatin1(ending).toUpper()})
+      patterns << QStringLiteral("*.") + one;
+  if (!more.isEmpty()) patterns << more;
+  return QCoreApplication::translate("alltact::FileFilter", "Videos (%1);;All files (*)")
+      .arg(patterns.join(QLatin1Char(' ')));
+}
+
 void ask_for_file(QWidget* parent, const QString& title, const QString& filter, const UsePath& use,
                   const QString& start) {
   auto* dialog = new QFileDialog(parent, title, start, filter);

@@ -127,6 +127,9 @@ inline void add_widgets(QBoxLayout& layout, std::initializer_list<QWidget*> widg
 void show_dialog(QDialog& dialog);
 
 using UsePath = std::function<void(const QString& path)>;
+/// Filter of a file dialog: videos by their names, then all files, because names show little.
+/// `more`: patterns that are offered together with videos.
+[[nodiscard]] QString video_filter(const QString& more = {});
 /// Asks for an existing file, from `start` on.
 void ask_for_file(QWidget* parent, const QString& title, const QString& filter, const UsePath& use,
                   const QString& start = {});

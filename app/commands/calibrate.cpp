@@ -42,7 +42,7 @@ void print_result(const FingerCalibration& done, Console& console) {
     console.say(
         fmt::format("Remark: {} of {} presses happen to fit better when left out than when used.",
                     by_chance, calibration.balls.size()));
-  for (const Message& sentence : done.made_of) console.say(fmt::format("{}.", sentence));
+  for (const Message& remark : done.source_remarks) console.say(remark.english());
   for (const BallFit& ball : calibration.balls)
     if (ball.given_depth)
       console.say(fmt::format("{}: measured indentation {} mm, fitted {:.3f} mm", ball.press,

@@ -144,6 +144,13 @@ inline void set_opencv_threads([[maybe_unused]] int threads) {
 void warn_of_other_settings(const PipelineSettings& stored, const PipelineSettings& requested,
                             Console& console);
 
+/// Prints what was assumed about a source's frames, and adds it to the answer.
+inline void report_remarks(const Source& source, Console& console) {
+  const std::vector<Message> remarks = source.remarks();
+  for (const Message& remark : remarks) console.warn(remark.english());
+  if (!remarks.empty()) console.answer()["source_remarks"] = in_english(remarks);
+}
+
 // Remarks of a camera while a command reads it.
 
 /// Prints each remark once; does nothing for sources that are no camera.

@@ -437,6 +437,7 @@ Status run_reconstruct(const ReconstructOptions& options, Console& console) {
   how.job = &console.job();
   auto source = open_source(options.inputs, how);
   if (!source) return source.error();
+  report_remarks(**source, console);
   auto pipelines = make_pipelines(**finger, options, console.job());
   if (!pipelines) return pipelines.error();
   if (options.live)

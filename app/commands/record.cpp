@@ -154,8 +154,9 @@ class Extent {
   explicit Extent(const RecordOptions& options) : options_(options) {}
 
   void add(const Frame& frame) {
-    if (frames_++ == 0) first_ns_ = frame.time_ns;
-    seconds_ = std::max(seconds_, static_cast<double>(frame.time_ns - first_ns_) * 1e-9);
+    const double now_s = time_s(frame).value_or(0.0);
+    if (frames_++ == 0) first_s_ = now_s;
+    seconds_ = std::max(seconds_, now_s - first_s_);
   }
   [[nodiscard]] bool is_reached(double period_s) const {
     return (options_.frames && frames_ >= *options_.frames) ||
@@ -176,7 +177,7 @@ class Extent {
  private:
   const RecordOptions& options_;
   std::uint64_t frames_ = 0;
-  std::int64_t first_ns_ = 0;
+  double first_s_ = 0;
   double seconds_ = 0;
 };
 
@@ -407,6 +408,7 @@ Status run_record(const RecordOptions& options, Console& console) {
   }
   auto opened = open_source(options.inputs, how);
   if (!opened) return opened.error();
+  report_remarks(**opened, console);
   const CameraRemarks remarks(**opened);
   auto source = lit(std::move(*opened), options.light);
   if (!source) return source.error();

@@ -55,7 +55,7 @@ StreamMessage of_frame(const Frame& frame, const std::string& line, const Finger
   StreamMessage message;
   message.requested_parts = requested;
   message.sequence = frame.sequence;
-  message.time_ns = frame.time_ns;
+  message.time_ns = frame.time_ns.value_or(0);
   message.json =
       line.substr(0, line.size() - 1) + fmt::format(",\"finger_revision\":{}}}", finger.revision);
   return message;
@@ -262,6 +262,7 @@ Status run_serve(const ServeOptions& options, Console& console) {
   if (!source) return source.error();
   auto finger = WatchedFinger::open(options.finger, pipeline_maker(options), console.job());
   if (!finger) return finger.error();
+  report_remarks(**source, console);
   const ServedSource about{options.inputs.front().string(), (*source)->frames_per_s(),
                            dynamic_cast<CameraSource*>(source->get()) != nullptr};
   console.say(fmt::format(

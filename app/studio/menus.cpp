@@ -183,7 +183,7 @@ void SourceMenu::open_shipped(const char* name) {
 }
 
 void SourceMenu::choose_video() {
-  ask_for_file(parentWidget(), tr("Open a video"), tr("Videos (*.mkv *.avi *.mp4)"),
+  ask_for_file(parentWidget(), tr("Open a video"), video_filter(),
                [this](const QString& file) { open(file); });
 }
 

@@ -51,7 +51,7 @@ struct FingerCalibration {
   std::vector<Contradiction> contradictions;  ///< between numbers given and presses
   Verdict verdict;
   std::vector<Message> fault_signs;     ///< see calibration_faults.h
-  std::vector<Message> made_of;         ///< the averaged bursts, a sentence each
+  std::vector<Message> source_remarks;  ///< of the presses: Source::remarks()
   std::filesystem::path problem_image;  ///< of presses that were left out; empty: none
   std::vector<Message> warnings;        ///< about files and options
   std::vector<Message> about_settings;  ///< of camera and light that do not fit together

@@ -173,7 +173,7 @@ Status measure_presses(CalibrationWork& work, PressMeter& meter, FingerCalibrati
     apply_notes(done.inputs.press_set, done.presses.back());
     work.frames.push_back(frame);
   }
-  done.made_of = made_of(**source);
+  done.source_remarks = (*source)->remarks();
   return {};
 }
 

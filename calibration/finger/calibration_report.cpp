@@ -8,6 +8,7 @@
 #include "core/base/utc_time.h"
 #include "core/finger/finger_store.h"
 #include "core/image/image_file.h"
+#include "core/recording/matroska.h"
 #include "core/recording/video_file.h"
 #include "core/sensing/reference/marker_table.h"
 #include "core/sensing/reference/reference_library.h"

@@ -51,8 +51,9 @@ double PressTaker::held_part() const {
 
 bool PressTaker::is_enough() const {
   if (alike_.size() < kFewest) return false;
-  const auto span_ns = alike_.back()->time_ns - alike_.front()->time_ns;
-  return alike_.size() >= kBurst || 1e-9 * static_cast<double>(span_ns) >= kHeld_s;
+  const double span_s =
+      time_s(*alike_.back()).value_or(0.0) - time_s(*alike_.front()).value_or(0.0);
+  return alike_.size() >= kBurst || span_s >= kHeld_s;
 }
 
 PressTaker::Taken PressTaker::take(const std::vector<FramePtr>& frames) {

@@ -32,11 +32,6 @@ bool is_one_video(const Source& presses) {
   return presses.is_continuous() && !is_images;
 }
 
-std::vector<Message> made_of(const Source& presses) {
-  const auto* bursts = dynamic_cast<const BurstSource*>(&presses);
-  return bursts == nullptr ? std::vector<Message>() : bursts->made_of();
-}
-
 namespace {
 
 namespace fs = std::filesystem;
@@ -139,9 +134,10 @@ Result<FramePtr> BurstSource::next() {
   auto frame = std::make_shared<Frame>(*mean_frame(longest));
   frame->name = (burst.has_stem() ? burst : burst.parent_path()).stem().string();
   frame->origin = burst.string();
-  made_of_.push_back(
-      en::at(Message::typed(frame->name),
-             en::say("the mean of {} still frames, of {} read", longest.size(), read)));
+  for (Message& remark : (*source)->remarks()) remarks_.push_back(std::move(remark));
+  remarks_.push_back(en::say(
+      "{}.", en::at(Message::typed(frame->name),
+                    en::say("the mean of {} still frames, of {} read", longest.size(), read))));
   return FramePtr(std::move(frame));
 }
 

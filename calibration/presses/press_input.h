@@ -28,9 +28,6 @@ struct PressInput {
 /// presses, however they are numbered.
 [[nodiscard]] bool is_one_video(const Source& presses);
 
-/// How the frames of the bursts that were read were made, a sentence each.
-[[nodiscard]] std::vector<Message> made_of(const Source& presses);
-
 // A press held still: the mean of frames without motion has less noise than one frame.
 
 /// The last frames of a source. The newest frame and those before it that are the same form a mean.
@@ -72,14 +69,14 @@ class BurstSource final : public Source {
   [[nodiscard]] Result<FramePtr> next() override;
   [[nodiscard]] std::optional<std::size_t> count() const override { return bursts_.size(); }
   [[nodiscard]] bool is_continuous() const override { return false; }
-  /// How the frames so far were made, a sentence each.
-  [[nodiscard]] const std::vector<Message>& made_of() const { return made_of_; }
+  /// Also how the frames so far were made.
+  [[nodiscard]] std::vector<Message> remarks() const override { return remarks_; }
 
  private:
   std::vector<std::filesystem::path> bursts_;
   std::size_t max_frames_;
   std::size_t position_ = 0;
-  std::vector<Message> made_of_;
+  std::vector<Message> remarks_;
 };
 
 }  // namespace alltact

@@ -112,6 +112,7 @@ Result<ReferenceReport> install_reference(Source& source, const fs::path& folder
   if (is_drawn)
     report.remarks.push_back(en::say("{} shows what was found", folder / kReferenceProblem));
   remark(table, report);
+  for (Message& assumed : source.remarks()) report.remarks.push_back(std::move(assumed));
   job.report(1.0, en::say("reference installed"));
   return std::move(report);
 }

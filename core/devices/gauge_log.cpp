@@ -70,8 +70,8 @@ Status GaugeLog::begin(const std::filesystem::path& file) {
 
 void GaugeLog::sync_clock(const Frame& frame) {
   const std::lock_guard lock(mutex_);
-  if (is_clock_synced_ || !descriptor_.is_open() || frame.time_ns == 0) return;
-  const double offset_s = gauge_clock_s() - 1e-9 * static_cast<double>(frame.time_ns);
+  if (is_clock_synced_ || !descriptor_.is_open() || !frame.time_ns) return;
+  const double offset_s = gauge_clock_s() - *time_s(frame);
   clock_offset_s_ = offset_s >= -1 && offset_s < kOldestFrame_s ? 0 : offset_s;
   is_clock_synced_ = true;
   for (const GaugeSample& sample : waiting_) write(sample);

@@ -102,6 +102,7 @@ Status V4l2Camera::start(V4l2Device device) {
   is_format_open_ = false;
   device_ = std::move(opened);
   stream_ = std::move(*stream);
+  decoder_.restart();
   has_frame_ = false;
   is_repeat_reported_ = is_mistime_reported_ = false;
   last_frame_ = Clock::now();
@@ -231,7 +232,7 @@ void V4l2Camera::publish(const V4l2Stream::Filled& filled) {
     return decoder_(format, format_.width_px, format_.height_px, stride_bytes_, bytes);
   };
   bool is_good = !filled.is_damaged && !filled.bytes.empty();
-  if (is_good && format == PixelFormat::kMjpeg) {
+  if (is_good && is_jpeg(format)) {
     // The one copy: the packet itself, so that the camera has its buffer back before decoding.
     frame->jpeg =
         std::make_shared<const std::vector<std::uint8_t>>(filled.bytes.begin(), filled.bytes.end());
@@ -246,6 +247,9 @@ void V4l2Camera::publish(const V4l2Stream::Filled& filled) {
     is_good = grey.ok();
     if (is_good) frame->grey = std::move(*grey);
   }
+  for (; decoder_remarks_ < decoder_.remarks().size(); ++decoder_remarks_)
+    remark(en::at(en::say("Images of the camera"), decoder_.remarks()[decoder_remarks_]));
+  if (is_good && frame->grey.empty()) return;  // a predicted one, before the first complete one
   bool is_back = false;
   {
     const std::lock_guard lock(status_mutex_);
@@ -275,6 +279,7 @@ void V4l2Camera::restart(const Error& why) {
   last_frame_ = Clock::now();
   if (!stream) return trouble(CameraState::kStalled, stream.error());
   stream_ = std::move(*stream);
+  decoder_.restart();
   const bool had_frame = std::exchange(has_frame_, false);
   // Prevents a busy loop of streams that fail at once.
   if (!had_frame) wait_for(*access_.calls, -1, 0, wake_, kRetryInterval_ms);

@@ -176,6 +176,7 @@ class V4l2Camera {
   bool is_repeat_reported_ = false, is_mistime_reported_ = false;  // since the device was opened
   std::shared_ptr<const std::string> frame_controls_;              // of the last frame
   bool has_frame_ = false;                                         // since the stream was started
+  std::size_t decoder_remarks_ = 0;                                // of the decoder's, passed on
   std::uint32_t last_driver_sequence_ = 0;
   std::uint64_t next_number_ = 0;
   std::size_t next_held_ = 0;

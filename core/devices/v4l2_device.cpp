@@ -134,19 +134,28 @@ bool meets(const CameraFormat& format, const FormatCriteria& criteria) {
           std::abs(format.frames_per_second() - criteria.frames_per_second) < 0.05);
 }
 
-/// Ranks formats: full brightness for every pixel, then half-rate colours, then compression.
+/// Ranks formats: grey, then colours, then compression.
 int rank_of(std::uint32_t fourcc) {
   switch (static_cast<PixelFormat>(fourcc)) {
     case PixelFormat::kGrey:
       return 3;
+    case PixelFormat::kY10:
+    case PixelFormat::kY12:
+    case PixelFormat::kY14:
     case PixelFormat::kY16:
       return 2;
-    case PixelFormat::kYuyv:
-      return 1;
     case PixelFormat::kMjpeg:
-      break;
+    case PixelFormat::kJpeg:
+    case PixelFormat::kH264:
+      return 0;
+    default:
+      return 1;
   }
-  return 0;
+}
+
+/// Compression of differences to frames before hides small changes of brightness.
+bool is_predicted(const CameraFormat& format) {
+  return static_cast<PixelFormat>(format.fourcc) == PixelFormat::kH264;
 }
 
 Message listed(const std::vector<CameraFormat>& offered) {
@@ -173,7 +182,7 @@ Result<CameraFormat> choose_format(const std::vector<CameraFormat>& offered,
                                    const FormatCriteria& criteria, const std::string& node) {
   const auto worth = [](const CameraFormat& format) {
     const double rate = format.frames_per_second();
-    return std::tuple(rate == 0 || rate > 24.5,
+    return std::tuple(!is_predicted(format), rate == 0 || rate > 24.5,
                       static_cast<std::int64_t>(format.width_px) * format.height_px, rate,
                       rank_of(format.fourcc));
   };

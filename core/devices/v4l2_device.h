@@ -59,9 +59,9 @@ struct FormatCriteria {
   double frames_per_second = 0;
 };
 
-/// The offered format that meets the wish. Of several: the largest with at least 25 frames a second
-/// (or the requested rate), then the fastest, then the one with least loss. Error: none does, with
-/// the offered formats.
+/// The offered format that meets the wish. Of several: one that is not predicted from frames
+/// before, then the largest with at least 25 frames a second (or the requested rate), then the
+/// fastest, then the one with least loss. Error: none does, with the offered formats.
 [[nodiscard]] Result<CameraFormat> choose_format(const std::vector<CameraFormat>& offered,
                                                  const FormatCriteria& criteria,
                                                  const std::string& node);

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,12 +23,20 @@ struct Frame {
   std::string name;            ///< file name without its extension, or frame_00000 for a video
   std::string origin;          ///< origin for messages: a path or a device
   std::uint64_t sequence = 0;  ///< counts from 0 in the source's order; gaps are lost frames
-  std::int64_t time_ns = 0;    ///< monotonic clock of the capture, ns; 0: the source has none
+  /// Of the capture, ns: a camera's by the monotonic clock, a video's by its own. Empty: the source
+  /// has none.
+  std::optional<std::int64_t> time_ns;
   /// Settings of camera and light; null where the source reports none.
   std::shared_ptr<const std::string> controls;
 };
 
 using FramePtr = std::shared_ptr<const Frame>;
+
+/// Time of capture in seconds; empty as Frame::time_ns.
+[[nodiscard]] inline std::optional<double> time_s(const Frame& frame) {
+  if (!frame.time_ns) return std::nullopt;
+  return 1e-9 * static_cast<double>(*frame.time_ns);
+}
 
 // Settings of camera and light as text, which every frame carries:
 //   Camera=usb-Maker_Model_SERIAL-video-index0; Format=1920x1080 MJPG at 30 frames per second;

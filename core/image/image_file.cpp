@@ -1,7 +1,9 @@
 #include "core/image/image_file.h"
 
 #include "core/base/atomic_file.h"
+#include "core/image/jpeg.h"
 
+#include <algorithm>
 #include <bit>
 #include <cassert>
 #include <cmath>
@@ -10,6 +12,7 @@
 
 #include <libdeflate.h>
 #include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
 
 namespace alltact {
 namespace {
@@ -25,6 +28,7 @@ struct ImageHeader {
   int channels = 0;  ///< without the alpha channel
   bool is_float = false;
   bool has_transparency = false;
+  int orientation = 0;  ///< that viewers are asked for, as in Exif; 0 and 1: as it is
 };
 
 /// Of a chunk's type and data (PNG, third edition, annex D): a CRC of polynomial 0xEDB88320.
@@ -70,6 +74,77 @@ class Bytes {
   bool is_past_end_ = false;
 };
 
+/// One entry of a TIFF's directory: its tag, and its first value.
+struct TiffEntry {
+  std::uint32_t tag, value;
+};
+
+/// Reads the last byte of the entry's values, so that a missing one is detected.
+TiffEntry tiff_entry(Bytes& bytes, std::size_t at) {
+  static constexpr std::array<std::size_t, 13> kSizes{0, 1, 1, 2, 4, 8, 1, 1, 2, 4, 8, 4, 8};
+  constexpr std::uint32_t kShort = 3;
+  const std::uint32_t type = bytes.u16(at + 2);
+  const std::size_t size = bytes.u32(at + 4) * (type < kSizes.size() ? kSizes[type] : 0);
+  const std::size_t position = size <= 4 ? at + 8 : bytes.u32(at + 8);
+  if (size > 0) static_cast<void>(bytes.u8(position + size - 1));
+  return {bytes.u16(at), type == kShort ? bytes.u16(position) : bytes.u32(position)};
+}
+
+constexpr std::uint32_t kOrientationTag = 274;
+
+/// The orientation that Exif data ask for (JEITA CP-3451, 4.6.4 A); 0: none.
+int exif_orientation(std::string_view exif) {
+  if (exif.size() < 8) return 0;
+  Bytes bytes(exif, exif[0] == 'M');
+  const std::size_t directory = bytes.u32(4), entries = bytes.u16(directory);
+  for (std::size_t i = 0; i < entries && !bytes.is_past_end(); ++i)
+    if (const TiffEntry entry = tiff_entry(bytes, directory + 2 + 12 * i);
+        entry.tag == kOrientationTag)
+      return static_cast<int>(entry.value);
+  return 0;
+}
+
+Result<ImageHeader> tiff_header(std::string_view content) {
+  Bytes bytes(content, content[0] == 'M');
+  ImageHeader header{ImageFormat::kTiff};
+  header.bits = 1;
+  header.channels = 1;
+  const std::size_t directory = bytes.u32(4);
+  const std::size_t entries = bytes.u16(directory);
+  for (std::size_t i = 0; i < entries && !bytes.is_past_end(); ++i) {
+    const TiffEntry entry = tiff_entry(bytes, directory + 2 + 12 * i);
+    switch (entry.tag) {
+      case 256:
+        header.width_px = entry.value;
+        break;
+      case 257:
+        header.height_px = entry.value;
+        break;
+      case 258:
+        header.bits = static_cast<int>(entry.value);
+        break;
+      case kOrientationTag:
+        header.orientation = static_cast<int>(entry.value);
+        break;
+      case 277:
+        header.channels = static_cast<int>(entry.value);
+        break;
+      case 338:
+        header.has_transparency = true;
+        break;
+      case 339:
+        header.is_float = entry.value == 3;
+        break;
+      default:
+        break;
+    }
+  }
+  static_cast<void>(bytes.u32(directory + 2 + 12 * entries));  // offset of the next image
+  // Completeness of the pixels is checked by the decoder, which does complain here.
+  if (bytes.is_past_end() || entries == 0) return truncated();
+  return header;
+}
+
 Result<ImageHeader> png_header(std::string_view content) {
   Bytes bytes(content, true);
   ImageHeader header{ImageFormat::kPng};
@@ -91,6 +166,7 @@ Result<ImageHeader> png_header(std::string_view content) {
     if (bytes.u32(at + 8 + length) != png_check_sum(content.substr(at + 4, 4 + length)))
       return damaged_image(en::say("a check sum is wrong"));
     if (name == "tRNS") header.has_transparency = true;
+    if (name == "eXIf") header.orientation = exif_orientation(content.substr(at + 8, length));
     if (name == "IEND") return header;
     at += 12 + length;
   }
@@ -127,6 +203,11 @@ Result<ImageHeader> jpeg_header(std::string_view content) {
     const std::size_t length = bytes.u16(at + 2);
     if (bytes.is_past_end() || at + 2 + length > content.size()) return truncated();
     if (length < 2) return damaged_image(en::say("its parts do not match"));
+    constexpr std::uint32_t kApp1 = 0xE1;
+    constexpr std::string_view kExif = "Exif\0\0"sv;
+    if (const std::string_view part = content.substr(at + 4, length - 2);
+        code == kApp1 && part.starts_with(kExif))
+      header.orientation = exif_orientation(part.substr(kExif.size()));
     const bool is_frame =
         code >= 0xC0 && code <= 0xCF && code != 0xC4 && code != 0xC8 && code != 0xCC;
     if (is_frame) {
@@ -192,60 +273,6 @@ Result<ImageHeader> pgm_header(std::string_view content) {
   return header;
 }
 
-/// One entry of a TIFF's directory: its tag, and its first value.
-struct TiffEntry {
-  std::uint32_t tag, value;
-};
-
-/// Reads the last byte of the entry's values, so that a missing one is detected.
-TiffEntry tiff_entry(Bytes& bytes, std::size_t at) {
-  static constexpr std::array<std::size_t, 13> kSizes{0, 1, 1, 2, 4, 8, 1, 1, 2, 4, 8, 4, 8};
-  constexpr std::uint32_t kShort = 3;
-  const std::uint32_t type = bytes.u16(at + 2);
-  const std::size_t size = bytes.u32(at + 4) * (type < kSizes.size() ? kSizes[type] : 0);
-  const std::size_t position = size <= 4 ? at + 8 : bytes.u32(at + 8);
-  if (size > 0) static_cast<void>(bytes.u8(position + size - 1));
-  return {bytes.u16(at), type == kShort ? bytes.u16(position) : bytes.u32(position)};
-}
-
-Result<ImageHeader> tiff_header(std::string_view content) {
-  Bytes bytes(content, content[0] == 'M');
-  ImageHeader header{ImageFormat::kTiff};
-  header.bits = 1;
-  header.channels = 1;
-  const std::size_t directory = bytes.u32(4);
-  const std::size_t entries = bytes.u16(directory);
-  for (std::size_t i = 0; i < entries && !bytes.is_past_end(); ++i) {
-    const TiffEntry entry = tiff_entry(bytes, directory + 2 + 12 * i);
-    switch (entry.tag) {
-      case 256:
-        header.width_px = entry.value;
-        break;
-      case 257:
-        header.height_px = entry.value;
-        break;
-      case 258:
-        header.bits = static_cast<int>(entry.value);
-        break;
-      case 277:
-        header.channels = static_cast<int>(entry.value);
-        break;
-      case 338:
-        header.has_transparency = true;
-        break;
-      case 339:
-        header.is_float = entry.value == 3;
-        break;
-      default:
-        break;
-    }
-  }
-  static_cast<void>(bytes.u32(directory + 2 + 12 * entries));  // offset of the next image
-  // Completeness of the pixels is checked by the decoder, which does complain here.
-  if (bytes.is_past_end() || entries == 0) return truncated();
-  return header;
-}
-
 /// Reads the header and walks to the end of the image, because decoders silently fill up a
 /// truncated file. Errors (without `where`): unknown format, an invalid header, a file that ends
 /// too early.
@@ -290,12 +317,34 @@ Result<Encoded> read_encoded(const std::filesystem::path& file) {
   return Encoded{std::move(*content), *header};
 }
 
-/// Empty where the decoder gives up.
+/// Without the parts that pixels do not depend on, about which libpng writes to the terminal.
+std::string critical_parts(std::string_view png) {
+  constexpr std::size_t kSignature = 8, kAround = 12;
+  std::string parts(png.substr(0, kSignature));
+  for (std::size_t at = kSignature; at + kAround <= png.size();) {
+    const std::size_t length = Bytes(png, true).u32(at);
+    const std::string_view name = png.substr(at + 4, 4);
+    if ((name[0] & 0x20) == 0 || name == "tRNS") parts += png.substr(at, kAround + length);
+    if (name == "IEND") break;
+    at += kAround + length;
+  }
+  return parts;
+}
+
+/// Unchanged: the camera's pixels, also where a tag asks for a rotation. Empty where the decoder
+/// gives up.
 cv::Mat decode(const Encoded& encoded) {
+  if (encoded.header.format == ImageFormat::kJpeg) {
+    const auto channels =
+        encoded.header.channels == 1 ? JpegDecoder::Channels::kGrey : JpegDecoder::Channels::kBgr;
+    const auto* bytes = reinterpret_cast<const std::uint8_t*>(encoded.content.data());
+    auto image = JpegDecoder()({bytes, encoded.content.size()}, channels);
+    return image ? *image : cv::Mat();
+  }
+  std::string content = encoded.header.format == ImageFormat::kPng ? critical_parts(encoded.content)
+                                                                   : encoded.content;
   try {
-    // Unchanged: the camera's pixels, also where a tag requests a rotation.
-    return cv::imdecode(cv::Mat(1, static_cast<int>(encoded.content.size()), CV_8UC1,
-                                const_cast<char*>(encoded.content.data())),
+    return cv::imdecode(cv::Mat(1, static_cast<int>(content.size()), CV_8UC1, content.data()),
                         cv::IMREAD_UNCHANGED);
   } catch (const cv::Exception&) {
     return {};
@@ -308,19 +357,43 @@ Error not_decodable(const std::filesystem::path& file) {
 }
 
 std::optional<Error> unfit_for_grey(const ImageHeader& header) {
-  if (header.is_float || header.bits > 8)
-    return Error{header.is_float
-                     ? en::say("the image has {} bits per channel (floating point); 8 are needed",
-                               header.bits)
-                     : en::say("the image has {} bits per channel; 8 are needed", header.bits),
-                 "", en::say("the camera's 8-bit images")};
-  if (header.has_transparency)
-    return Error{en::say("the image has transparent parts; a camera image has none"), "",
-                 en::say("the image as the camera took it, without an alpha channel")};
+  if (header.is_float)
+    return Error{en::say("the image has {} bits per channel (floating point); 8 to 16 as integers "
+                         "are needed",
+                         header.bits),
+                 "", en::say("the camera's own images")};
   if (header.channels != 1 && header.channels != 3)
     return Error{en::say("the image has {} channels; 1 or 3 are needed", header.channels), "",
                  en::say("the image as the camera took it")};
   return std::nullopt;
+}
+
+/// Removes an opaque alpha channel. False: some of it is transparent.
+bool remove_alpha(cv::Mat& image) {
+  if (image.channels() != 2 && image.channels() != 4) return true;
+  cv::Mat alpha;
+  cv::extractChannel(image, alpha, image.channels() - 1);
+  double least = 0;
+  cv::minMaxLoc(alpha, &least);
+  if (least < (image.depth() == CV_8U ? 255.0 : 65535.0)) return false;
+  if (image.channels() == 2)
+    cv::extractChannel(image, image, 0);
+  else
+    cv::cvtColor(image, image, cv::COLOR_BGRA2BGR);
+  return true;
+}
+
+/// The upper 8 of the bits in use, which those of the images before were as well.
+void reduce_to_8_bits(cv::Mat& image, ImageLook& look) {
+  if (image.depth() != CV_16U) return;
+  double brightest = 0;
+  cv::minMaxLoc(image.reshape(1), nullptr, &brightest);
+  int bits = std::max(look.bits, 10);
+  while (bits < 16 && brightest >= 1 << bits) bits += 2;
+  look.bits = bits;
+  // Truncated, as a camera's are.
+  const double step = 1 << (bits - 8);
+  image.convertTo(image, CV_8U, 1.0 / step, 0.5 / step - 0.5);
 }
 
 /// Mean absolute distance of the channels from grey, relative to the mean grey.
@@ -359,12 +432,35 @@ Result<std::vector<unsigned char>> encode(const std::filesystem::path& file, con
 
 }  // namespace
 
-Result<cv::Mat> read_grey_image(const std::filesystem::path& file, std::string* note) {
+std::vector<Message> ImageLook::remarks() const {
+  std::vector<Message> remarks;
+  if (bits == 16) remarks.push_back(en::say("16 bits per pixel were reduced to 8"));
+  if (bits > 0 && bits < 16)
+    remarks.push_back(
+        en::say("of 16 bits per pixel only the lower {} are in use: these were taken "
+                "as the entire range",
+                bits));
+  if (orientation > 1)
+    remarks.push_back(
+        en::say("viewers are asked to turn them (Exif orientation {}), which is not "
+                "done here: the camera's orientation is a setting of the finger",
+                orientation));
+  return remarks;
+}
+
+Result<cv::Mat> read_grey_image(const std::filesystem::path& file, std::string* note,
+                                ImageLook* look) {
   const auto encoded = read_encoded(file);
   if (!encoded) return encoded.error();
   if (auto problem = unfit_for_grey(encoded->header)) return at(file, *problem);
   cv::Mat image = decode(*encoded);
   if (image.empty()) return not_decodable(file);
+  if (!remove_alpha(image))
+    return Error{en::say("the image has transparent parts; a camera image has none"), file.string(),
+                 en::say("the image as the camera took it, without an alpha channel")};
+  ImageLook own;
+  ImageLook& of_all = look != nullptr ? *look : own;
+  reduce_to_8_bits(image, of_all);
   // The decoded type counts, not the header's.
   if (image.type() != CV_8UC1 && image.type() != CV_8UC3)
     return Error{en::say("this kind of image cannot be used ({})",
@@ -384,6 +480,7 @@ Result<cv::Mat> read_grey_image(const std::filesystem::path& file, std::string* 
   if (brightest <= kBlack)
     return Error{en::say("the image is all black"), file.string(),
                  en::say("switch on the light, or take off the lens cap")};
+  of_all.orientation = std::max(of_all.orientation, encoded->header.orientation);
   if (note != nullptr) *note = note_of(encoded->content);
   return image;
 }

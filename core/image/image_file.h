@@ -1,23 +1,36 @@
 // Reading and writing of single images.
 #pragma once
 
+#include "core/base/message.h"
 #include "core/base/result.h"
 
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <opencv2/core.hpp>
 
 namespace alltact {
 
-/// Reads an 8-bit image as grey (CV_8UC1). A colour image of a scene in white light is converted to
-/// grey. Missing, empty and truncated files are refused, also where the decoder would silently fill
-/// them up. So are strong colours, 16-bit or float images, transparency, and images with no pixel
-/// above 4 ("all black"). Each error names the file. `note`: the text stored by write_image();
-/// empty where there is none.
+/// What was assumed about images that belong together.
+struct ImageLook {
+  int bits = 0;         ///< in use of 16, by the brightest image so far; 0: none had 16
+  int orientation = 0;  ///< that viewers are asked for (Exif); 0 and 1: as it is
+
+  /// Without full stops.
+  [[nodiscard]] std::vector<Message> remarks() const;
+};
+
+/// Reads an image as grey (CV_8UC1). A colour image of a scene in white light is converted to grey;
+/// of 16 bits per pixel the upper 8 in use are taken. Missing, empty and truncated files are
+/// refused, also where the decoder would silently fill them up. So are strong colours, float
+/// images, transparency, and images with no pixel above 4 ("all black"). Each error names the file.
+/// `note`: the text stored by write_image(); empty where there is none. `look`: of the images
+/// before, too.
 [[nodiscard]] Result<cv::Mat> read_grey_image(const std::filesystem::path& file,
-                                              std::string* note = nullptr);
+                                              std::string* note = nullptr,
+                                              ImageLook* look = nullptr);
 
 /// Writes an image atomically (see atomic_file.h): PNG for CV_8UC1 or CV_8UC3, TIFF for CV_32FC1
 /// and CV_32FC3 (no compression, so that any program reads it). The extension decides. Three

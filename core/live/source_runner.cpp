@@ -62,7 +62,7 @@ struct SourceRunner::Run {
   std::atomic<bool> is_stop_requested{false};
   std::shared_ptr<Recorder> recorder;
   RecordingStatus recording;
-  std::int64_t first_recorded_ns = 0;
+  std::optional<double> first_recorded_s;
   double period_s = 0;
   int finishers = 0;
 
@@ -149,6 +149,7 @@ struct SourceRunner::Run {
     status.state = SourceState::kRunning;
     status.is_live = source.is_live();
     status.is_continuous = source.is_continuous();
+    status.remarks = source.remarks();
     if (auto* from_camera = dynamic_cast<CameraSource*>(&source)) {
       camera = from_camera->shared_camera();
       clock_offset_ns = 0;
@@ -178,8 +179,8 @@ struct SourceRunner::Run {
     last_sequence = frame.sequence;
     arrivals_ns.push_back(now_ns);
     while (arrivals_ns.front() < now_ns - kSecond_ns) arrivals_ns.pop_front();
-    if (frame.time_ns == 0 || camera) return;
-    const std::int64_t offset = now_ns - frame.time_ns;
+    if (!frame.time_ns || camera) return;
+    const std::int64_t offset = now_ns - *frame.time_ns;
     while (!offsets.empty() && offsets.back().offset_ns >= offset) offsets.pop_back();
     offsets.push_back({now_ns, offset});
     while (offsets.front().arrived_ns < now_ns - kClockWindow_ns) offsets.pop_front();
@@ -191,8 +192,9 @@ struct SourceRunner::Run {
     const std::lock_guard lock(mutex);
     if (!is_taken && into.problem()) is_stop_requested = true;
     if (!is_taken) return;
-    if (first_recorded_ns == 0) first_recorded_ns = frame->time_ns;
-    recording.seconds = static_cast<double>(frame->time_ns - first_recorded_ns) * 1e-9 + period_s;
+    const double taken_s = time_s(*frame).value_or(0.0);
+    if (!first_recorded_s) first_recorded_s = taken_s;
+    recording.seconds = taken_s - *first_recorded_s + period_s;
   }
 
   /// Images have no times: they come at a camera's rate.
@@ -225,7 +227,7 @@ struct SourceRunner::Run {
       recording.problem = started.error();
       return;
     }
-    first_recorded_ns = 0;
+    first_recorded_s.reset();
     recorder = std::move(*started);
   }
 
@@ -365,10 +367,11 @@ std::shared_ptr<V4l2Camera> SourceRunner::camera() const {
 
 std::optional<double> SourceRunner::age_ms(const Frame& frame, std::int64_t now_ns) const {
   const std::lock_guard lock(mutex_);
-  if (!run_ || frame.time_ns == 0) return std::nullopt;
+  if (!run_ || !frame.time_ns) return std::nullopt;
   const std::lock_guard run_lock(run_->mutex);
   if (!run_->clock_offset_ns) return std::nullopt;
-  return std::max(0.0, static_cast<double>(now_ns - frame.time_ns - *run_->clock_offset_ns) * 1e-6);
+  return std::max(0.0,
+                  static_cast<double>(now_ns - *frame.time_ns - *run_->clock_offset_ns) * 1e-6);
 }
 
 }  // namespace alltact

@@ -56,6 +56,7 @@ struct SourceStatus {
   double frames_per_s = 0;       ///< measured over the last second
   bool is_live = false, is_continuous = false;
   std::optional<CameraStatus> camera;
+  std::vector<Message> remarks;  ///< Source::remarks() when it was opened
 };
 
 /// Any thread may call any function. Frames are published to `hub`, which must outlive this.

@@ -15,7 +15,7 @@ bool is_scene(const fs::path& file) {
 Error not_an_input(const fs::path& path) {
   return {en::say("this is neither an image, nor a folder of images, nor a video, nor a scene"),
           path.string(),
-          en::say("png, jpg, bmp, tif or pgm images, an mkv, avi or mp4 video, or a yaml scene")};
+          en::say("png, jpg, bmp, tif or pgm images, a video that players open, or a yaml scene")};
 }
 
 Result<std::unique_ptr<Source>> open_video(const fs::path& file, const SourceOptions& options) {
@@ -24,12 +24,19 @@ Result<std::unique_ptr<Source>> open_video(const fs::path& file, const SourceOpt
   return std::unique_ptr<Source>(std::make_unique<VideoSource>(std::move(*video), options));
 }
 
+/// Whether a missing file was meant to be a video.
+bool has_video_name(const fs::path& file) {
+  static constexpr std::array kExtensions{".mkv", ".webm", ".avi", ".mp4", ".mov",
+                                          ".m4v", ".ts",   ".mpg", ".wmv", ".mjpeg"};
+  return is_one_of(extension_of(file), kExtensions);
+}
+
 /// True for a node, or a possible camera name that is no file.
 bool may_name_camera(const fs::path& input) {
   std::error_code ignored;
   if (input.string().starts_with("/dev/")) return !fs::is_directory(input, ignored);
   return !fs::exists(input, ignored) && !input.has_parent_path() && !is_image_file(input) &&
-         !is_video(input) && !is_scene(input);
+         !has_video_name(input) && !is_scene(input);
 }
 
 InputOpener& opener_of(InputKind kind) {
@@ -64,6 +71,15 @@ Result<std::unique_ptr<Source>> open_images(const std::vector<fs::path>& inputs)
       return not_an_input(input);
     }
   }
+  // A shell sorts image_10 before image_9.
+  const auto by_letters = [](const fs::path& a, const fs::path& b) {
+    return a.string() < b.string();
+  };
+  const bool is_one_folder = std::all_of(files.begin(), files.end(), [&](const fs::path& file) {
+    return file.parent_path() == files.front().parent_path();
+  });
+  if (is_one_folder && std::is_sorted(files.begin(), files.end(), by_letters))
+    std::sort(files.begin(), files.end(), is_before);
   return std::unique_ptr<Source>(std::make_unique<ImageSource>(std::move(files)));
 }
 
@@ -75,8 +91,9 @@ bool add_input_kind(InputKind kind, InputOpener opener) {
 }
 
 bool is_video(const fs::path& file) {
-  static constexpr std::array kExtensions{".mkv", ".avi", ".mp4"};
-  return is_one_of(extension_of(file), kExtensions);
+  std::error_code ignored;
+  return !is_image_file(file) && !is_scene(file) && fs::is_regular_file(file, ignored) &&
+         (has_video_name(file) || contains_video(file));
 }
 
 Result<std::unique_ptr<Source>> open_source(const std::vector<fs::path>& inputs,

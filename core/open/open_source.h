@@ -9,16 +9,17 @@
 
 namespace alltact {
 
-/// True for a file name with a video extension.
+/// True for a file that is a video by its content, whatever its name.
 [[nodiscard]] bool is_video(const std::filesystem::path& file);
 
 /// Opens the inputs:
 ///   one camera: its node (/dev/video0), its stable name or its serial number (see find_camera);
-///   images (png, jpg, bmp, tif, pgm) and folders of images, in name order. NAME.depth.tiff,
+///   images (png, jpg, bmp, tif, pgm) and folders of images, by their names with the numbers in
+///     them by value; so are files that a shell listed by their letters. NAME.depth.tiff,
 ///     NAME.depth16.png, NAME.depth_sd.tiff, NAME.flags.png, NAME.sd_*.tiff, NAME.points.tiff,
 ///     NAME.z.tiff and NAME.3d.png next to them are results. Images have no times and come as fast
 ///     as requested;
-///   one video (mkv, avi, mp4; see VideoFile);
+///   one video (see VideoFile), whatever its name;
 ///   one scene (yaml): the finger it describes, simulated. As fast as requested it gives the
 ///     scene's frames; at the camera's pace it runs without end, with the faults of the scene.
 /// Errors: no input, a path that does not exist, a folder without images, a video that cannot be

@@ -3,7 +3,7 @@
 #include "core/base/descriptor.h"
 #include "core/image/image_file.h"
 #include "core/recording/libav.h"
-#include "core/recording/video_file.h"
+#include "core/recording/matroska.h"
 
 #include <cassert>
 

@@ -37,6 +37,16 @@ bool take_number(std::string_view& line, T& number) {
   return true;
 }
 
+/// The same, which may be missing.
+template <class T>
+bool take_number(std::string_view& line, std::optional<T>& number) {
+  if (line.starts_with(',')) {
+    line.remove_prefix(1);
+    return true;
+  }
+  return take_number(line, number.emplace());
+}
+
 /// A field of a CSV line: quoted where necessary (RFC 4180), never with a line break.
 std::string field(std::string_view text) {
   std::string clean;
@@ -103,8 +113,9 @@ Status JournalWriter::write(std::string_view text) {
 }
 
 Status JournalWriter::add(const Frame& frame) {
-  const std::string line = fmt::format("{},{},{},{}\n", frames_, frame.time_ns, frame.sequence,
-                                       frame.controls ? field(*frame.controls) : std::string());
+  const std::string line =
+      fmt::format("{},{},{},{}\n", frames_, frame.time_ns ? fmt::format("{}", *frame.time_ns) : "",
+                  frame.sequence, frame.controls ? field(*frame.controls) : std::string());
   if (Status status = write(line); !status) return status;
   ++frames_;
   return {};
@@ -132,7 +143,8 @@ Result<std::vector<JournalEntry>> read_journal(const std::filesystem::path& file
     if (!take_number(*line, number) || number != entries.size() ||
         !take_number(*line, entry.time_ns) || !take_number(*line, entry.sequence))
       break;
-    if (!entries.empty() && entry.time_ns < entries.back().time_ns)
+    if (!entries.empty() && entry.time_ns && entries.back().time_ns &&
+        *entry.time_ns < *entries.back().time_ns)
       return Error{en::say("frame {} is older than frame {}", number, number - 1), file.string(),
                    en::say("move this file away to use the video's own times")};
     if (!line->empty()) {

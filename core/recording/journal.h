@@ -7,8 +7,8 @@
 //   1,81334567890,3,Exposure=200; Gain=3
 //
 // A line that begins with '#' is a remark for people. time_ns is the clock of capture, to the
-// nanosecond (the video itself has milliseconds). sequence is the source's own count; controls are
-// the settings of camera and light (see frame.h).
+// nanosecond (the video itself has milliseconds), and empty where the source has none. sequence is
+// the source's own count; controls are the settings of camera and light (see frame.h).
 #pragma once
 
 #include "core/base/descriptor.h"
@@ -18,6 +18,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -52,7 +53,7 @@ class JournalWriter {
 };
 
 struct JournalEntry {
-  std::int64_t time_ns = 0;
+  std::optional<std::int64_t> time_ns;  ///< empty where the frame had none
   std::uint64_t sequence = 0;
   std::shared_ptr<const std::string> controls;  ///< null where the frame had none
 };

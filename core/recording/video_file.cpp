@@ -6,22 +6,21 @@
 #include "core/image/grey_decoder.h"
 #include "core/recording/journal.h"
 #include "core/recording/libav.h"
+#include "core/recording/matroska.h"
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cassert>
 #include <cerrno>
+#include <cmath>
 #include <numeric>
-#include <span>
+#include <optional>
 
 #include <fcntl.h>
 #include <sys/file.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 extern "C" {
-#include <libavutil/crc.h>
+#include <libavutil/display.h>
 }
 
 namespace alltact {
@@ -29,18 +28,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A packet: time in the stream's time steps, file position (its identity), key flag, and check
-/// sum.
-using Entry = MatroskaIndex::Block;
+/// A packet of the video. Times are in the stream's steps, or AV_NOPTS_VALUE.
+struct Entry {
+  std::int64_t shown_at, decoded_at;
+  std::int64_t data_bytes_at;  // in the file: its identity, with the time of decoding
+  bool is_key, is_shown;       // packets that are not shown are needed to decode others
+  MatroskaIndex::Block block;  // for its check sum; only of own recordings
+};
 
 Error unreadable(const Message& what, const fs::path& file) {
   return {what, file.string(),
           en::say("play it in a video player; if that fails too, record it again")};
-}
-
-std::int64_t time_of(const AVPacket& packet, std::int64_t otherwise) {
-  if (packet.pts != AV_NOPTS_VALUE) return packet.pts;
-  return packet.dts != AV_NOPTS_VALUE ? packet.dts : otherwise;
 }
 
 /// All packets of the video, by reading through the complete file.
@@ -48,33 +46,71 @@ std::vector<Entry> entries_by_reading(const VideoInput& input) {
   std::vector<Entry> entries;
   const AvPtr<AVPacket> packet(av_packet_alloc());
   while (input.read(*packet))
-    entries.push_back({time_of(*packet, static_cast<std::int64_t>(entries.size())), packet->pos, 0,
-                       (packet->flags & AV_PKT_FLAG_KEY) != 0, 0, 0, 0});
+    entries.push_back({packet->pts,
+                       packet->dts,
+                       packet->pos,
+                       (packet->flags & AV_PKT_FLAG_KEY) != 0,
+                       (packet->flags & AV_PKT_FLAG_DISCARD) == 0,
+                       {}});
   return entries;
 }
 
 /// The same from the file's structure; libav receives the key frames for seeking.
 std::vector<Entry> entries_by_structure(const VideoInput& input, const MatroskaIndex& index) {
-  for (const auto& block : index.blocks)
+  std::vector<Entry> entries;
+  for (const auto& block : index.blocks) {
+    entries.push_back({block.time, AV_NOPTS_VALUE, block.data_bytes_at, block.is_key, true, block});
     if (block.is_key)
       av_add_index_entry(input.video(), block.cluster_at, block.time, 0, 0, AVINDEX_KEYFRAME);
-  return index.blocks;
+  }
+  return entries;
 }
 
-Result<AvPtr<AVCodecContext>> open_decoder(const AVStream& video, const fs::path& file) {
-  const AVCodec* found = avcodec_find_decoder(video.codecpar->codec_id);
+/// Whether the file gives each frame the time at which it is shown.
+bool are_all_timed(const std::vector<Entry>& entries) {
+  std::vector<std::int64_t> times;
+  for (const Entry& entry : entries) times.push_back(entry.shown_at);
+  std::sort(times.begin(), times.end());
+  return times.front() != AV_NOPTS_VALUE &&
+         std::adjacent_find(times.begin(), times.end()) == times.end();
+}
+
+Result<AvPtr<AVCodecContext>> open_decoder(const AVCodecParameters& parameters, bool is_own,
+                                           const fs::path& file) {
+  const AVCodec* found = avcodec_find_decoder(parameters.codec_id);
   if (found == nullptr)
     return unreadable(en::say("the video cannot be opened: no decoder for {}",
-                              std::string(avcodec_get_name(video.codecpar->codec_id))),
+                              std::string(avcodec_get_name(parameters.codec_id))),
                       file);
   AvPtr<AVCodecContext> context(avcodec_alloc_context3(found));
-  avcodec_parameters_to_context(context.get(), video.codecpar);
+  avcodec_parameters_to_context(context.get(), &parameters);
   context->thread_type = FF_THREAD_SLICE;  // frame threads would delay frames
   context->thread_count = 2;
-  context->err_recognition = AV_EF_CRCCHECK | AV_EF_EXPLODE;  // a damaged frame is an error
+  if (is_own) context->err_recognition = AV_EF_CRCCHECK | AV_EF_EXPLODE;  // damage is an error
   if (avcodec_open2(context.get(), found, nullptr) < 0)
     return unreadable(en::say("the video cannot be opened"), file);
   return context;
+}
+
+/// Separates frames that some encoders of MPEG-4 pack together; null for other codecs.
+AvPtr<AVBSFContext> open_unpacker(const AVStream& video) {
+  AVBSFContext* made = nullptr;
+  const AVBitStreamFilter* filter = av_bsf_get_by_name("mpeg4_unpack_bframes");
+  if (video.codecpar->codec_id != AV_CODEC_ID_MPEG4 || filter == nullptr ||
+      av_bsf_alloc(filter, &made) < 0)
+    return nullptr;
+  AvPtr<AVBSFContext> unpacker(made);
+  avcodec_parameters_copy(unpacker->par_in, video.codecpar);
+  unpacker->time_base_in = video.time_base;
+  return av_bsf_init(unpacker.get()) < 0 ? nullptr : std::move(unpacker);
+}
+
+/// Degrees by which a viewer is asked to turn the images; 0: none.
+int requested_rotation_deg(const AVStream& video) {
+  const auto* matrix = reinterpret_cast<const std::int32_t*>(
+      av_stream_get_side_data(&video, AV_PKT_DATA_DISPLAYMATRIX, nullptr));
+  const double degrees = matrix == nullptr ? 0.0 : av_display_rotation_get(matrix);
+  return std::isfinite(degrees) ? static_cast<int>(std::lround(degrees)) : 0;
 }
 
 }  // namespace
@@ -83,10 +119,14 @@ struct VideoFile::State {
   fs::path file;
   VideoInput input;
   GreyDecoder jpeg_decoder;
-  AvPtr<AVCodecContext> decoder;   // none for JPEG, which GreyDecoder decodes as for a camera
-  std::vector<Entry> entries;      // in the file's order
-  std::vector<std::size_t> shown;  // the entry of each frame
+  AvPtr<AVBSFContext> unpacker;        // may be null
+  AvPtr<AVCodecContext> decoder;       // none for JPEG, which GreyDecoder decodes as for a camera
+  std::vector<Entry> entries;          // in the file's order
+  std::vector<std::size_t> shown;      // the entry of each frame
+  std::vector<std::int64_t> times_ns;  // of each frame, by the file
   std::vector<JournalEntry> journal;
+  GreyLevels levels;
+  std::vector<Message> remarks;
 
   Descriptor check;  // the open file, for check sums; not open for videos of other programs
 
@@ -97,30 +137,56 @@ struct VideoFile::State {
   std::size_t next_shown = 0;    // frames before it have left the decoder
   bool is_draining = false;
 
+  [[nodiscard]] bool is_own() const { return check.is_open(); }
+  [[nodiscard]] bool find(std::size_t entry);
   [[nodiscard]] bool read(std::size_t entry);
   [[nodiscard]] bool feed();
+  [[nodiscard]] bool send(AVPacket* sent);
   void restart(std::size_t entry);
   [[nodiscard]] std::size_t key_before(std::size_t entry) const;
-  [[nodiscard]] Result<cv::Mat> decoded(std::size_t number);
+  [[nodiscard]] Status decode(std::size_t number);
+  [[nodiscard]] Status decode_from(std::size_t entry, std::size_t number);
   [[nodiscard]] Status add_jpeg(std::size_t number, Frame& frame);
+  [[nodiscard]] Status find_order(const Job& job);
+  void order_by_time();
+  [[nodiscard]] Status order_by_decoding(const Job& job);
+  void find_times();
+  void look();
   void set_times(std::size_t number, Frame& frame) const;
   [[nodiscard]] Error frame_error(std::size_t number) const {
     return unreadable(en::say("frame {} of the video cannot be read", number), file);
   }
 };
 
+/// Reads on up to the packet of this entry.
+bool VideoFile::State::find(std::size_t entry) {
+  const Entry& requested = entries[entry];
+  while (input.read(*packet))
+    if (packet->pos == requested.data_bytes_at &&
+        (requested.decoded_at == AV_NOPTS_VALUE || packet->dts == requested.decoded_at))
+      return true;
+  return false;
+}
+
 /// Fills `packet` with the packet of this entry.
 bool VideoFile::State::read(std::size_t entry) {
-  const std::int64_t position = entries[entry].data_bytes_at;
-  if (entry != next_read)
-    av_seek_frame(input.context.get(), input.stream, entries[key_before(entry)].time,
+  if (entry != next_read) {
+    const Entry& key = entries[key_before(entry)];
+    av_seek_frame(input.context.get(), input.stream,
+                  key.decoded_at != AV_NOPTS_VALUE ? key.decoded_at : key.shown_at,
                   AVSEEK_FLAG_BACKWARD);
-  next_read = entry + 1;
-  while (input.read(*packet))
-    if (packet->pos == position)
-      return !check.is_open() || is_undamaged(check.number(), entries[entry]);
+  }
   next_read = entries.size();  // unknown position: the next read seeks
-  return false;
+  bool is_found = find(entry);
+  if (!is_found && !is_own()) {  // not every file can be sought in: from its beginning
+    auto again = open_video_input(file);
+    if (!again) return false;
+    input = std::move(*again);
+    is_found = find(entry);
+  }
+  if (!is_found) return false;
+  next_read = entry + 1;
+  return !is_own() || is_undamaged(check.number(), entries[entry].block);
 }
 
 std::size_t VideoFile::State::key_before(std::size_t entry) const {
@@ -130,8 +196,13 @@ std::size_t VideoFile::State::key_before(std::size_t entry) const {
 
 void VideoFile::State::restart(std::size_t entry) {
   avcodec_flush_buffers(decoder.get());
+  if (unpacker) av_bsf_flush(unpacker.get());
   next_decoded = entry;
   is_draining = false;
+}
+
+bool VideoFile::State::send(AVPacket* sent) {
+  return avcodec_send_packet(decoder.get(), sent) >= 0;
 }
 
 /// Sends the next packet to the decoder. False: the decoder has everything, or refused.
@@ -139,36 +210,50 @@ bool VideoFile::State::feed() {
   if (next_decoded == entries.size()) {
     if (is_draining) return false;
     is_draining = true;
-    return avcodec_send_packet(decoder.get(), nullptr) >= 0;
+    return send(nullptr);
   }
   const std::size_t entry = next_decoded++;
   if (!read(entry)) return false;
   // Returns with the frame as its identity, also where the order changes.
   packet->pts = packet->dts = static_cast<std::int64_t>(entry);
-  return avcodec_send_packet(decoder.get(), packet.get()) >= 0;
+  if (unpacker) {
+    if (av_bsf_send_packet(unpacker.get(), packet.get()) < 0) return false;
+    const int status = av_bsf_receive_packet(unpacker.get(), packet.get());
+    if (status == AVERROR(EAGAIN)) return true;  // it retains the packet for the next one
+    if (status < 0) return false;
+  }
+  return send(packet.get());
 }
 
-Result<cv::Mat> VideoFile::State::decoded(std::size_t number) {
-  const std::size_t entry = shown[number];
-  const std::size_t begin = key_before(entry);
-  if (number < next_shown || begin > next_decoded || is_draining) restart(begin);
+/// Fills av_frame.
+Status VideoFile::State::decode(std::size_t number) {
+  const std::size_t begin = key_before(shown[number]);
+  const bool goes_on = number >= next_shown && begin <= next_decoded && !is_draining;
+  Status status = decode_from(goes_on ? next_decoded : begin, number);
+  // Frames next to a key frame may depend on the one before it.
+  if (!status && !is_own() && begin > 0) status = decode_from(key_before(begin - 1), number);
+  return status;
+}
+
+/// `entry`: where to start; next_decoded goes on.
+Status VideoFile::State::decode_from(std::size_t entry, std::size_t number) {
+  if (entry != next_decoded || is_draining) restart(entry);
   next_shown = entries.size();  // an error makes the next call start again
+  const auto requested = static_cast<std::int64_t>(shown[number]);
   while (true) {
     const int status = avcodec_receive_frame(decoder.get(), av_frame.get());
     if (status == AVERROR(EAGAIN)) {
       if (!feed()) return frame_error(number);
     } else if (status < 0) {
       return frame_error(number);
-    } else if (av_frame->pts == static_cast<std::int64_t>(entry)) {
+    } else if (av_frame->pts == requested) {
       break;
     }
   }
   if (av_frame->decode_error_flags != 0 || (av_frame->flags & AV_FRAME_FLAG_CORRUPT) != 0)
     return frame_error(number);
   next_shown = number + 1;
-  auto grey = grey_of(*av_frame);
-  if (!grey) return Error{grey.error().what, file.string(), grey.error().advice};
-  return grey;
+  return {};
 }
 
 Status VideoFile::State::add_jpeg(std::size_t number, Frame& frame) {
@@ -182,20 +267,120 @@ Status VideoFile::State::add_jpeg(std::size_t number, Frame& frame) {
   return {};
 }
 
+Status VideoFile::State::find_order(const Job& job) {
+  const AVCodecDescriptor* codec = avcodec_descriptor_get(input.video()->codecpar->codec_id);
+  const bool is_intra = codec != nullptr && (codec->props & AV_CODEC_PROP_INTRA_ONLY) != 0;
+  if (are_all_timed(entries) || is_intra) {
+    order_by_time();
+  } else if (Status status = order_by_decoding(job); !status) {
+    return status;
+  }
+  if (shown.empty()) return unreadable(en::say("the video holds no frame"), file);
+  find_times();
+  return {};
+}
+
+void VideoFile::State::order_by_time() {
+  for (std::size_t i = 0; i < entries.size(); ++i)
+    if (entries[i].is_shown) shown.push_back(i);
+  const auto time_of = [&](std::size_t i) {
+    const Entry& entry = entries[i];
+    return entry.shown_at != AV_NOPTS_VALUE ? entry.shown_at : entry.decoded_at;
+  };
+  std::stable_sort(shown.begin(), shown.end(),
+                   [&](std::size_t a, std::size_t b) { return time_of(a) < time_of(b); });
+}
+
+/// The decoder knows the order in which frames are shown, also where the file does not.
+Status VideoFile::State::order_by_decoding(const Job& job) {
+  while (true) {
+    if (job.stop_requested())
+      return Error{en::say("stopped before the video was open"), file.string(), ""};
+    const int status = avcodec_receive_frame(decoder.get(), av_frame.get());
+    if (status >= 0 && av_frame->pts != AV_NOPTS_VALUE) {
+      const auto entry = static_cast<std::size_t>(av_frame->pts);
+      if (entry < entries.size() && entries[entry].is_shown) shown.push_back(entry);
+    } else if (status == AVERROR_EOF || (!feed() && is_draining)) {
+      break;
+    }
+    if (shown.size() % 64 == 0)
+      job.report(static_cast<double>(next_decoded) / static_cast<double>(entries.size()),
+                 en::say("looking for the order of the video's frames"));
+  }
+  restart(0);
+  next_read = entries.size();
+  const auto expected = static_cast<std::size_t>(
+      std::count_if(entries.begin(), entries.end(), [](const Entry& e) { return e.is_shown; }));
+  if (shown.size() < expected)
+    remarks.push_back(en::say("{} of its {} frames cannot be decoded and are missing",
+                              expected - shown.size(), expected));
+  return {};
+}
+
+/// Times by the file: those at which frames are shown; where it lacks some, the frames take those
+/// of decoding in order.
+void VideoFile::State::find_times() {
+  const AVStream& video = *input.video();
+  const auto is_timed = [&](std::int64_t Entry::*time) {
+    return std::all_of(shown.begin(), shown.end(),
+                       [&](std::size_t i) { return entries[i].*time != AV_NOPTS_VALUE; });
+  };
+  const auto time = is_timed(&Entry::shown_at) ? &Entry::shown_at : &Entry::decoded_at;
+  std::vector<std::int64_t> steps;
+  for (const std::size_t i : shown) steps.push_back(entries[i].*time);
+  std::sort(steps.begin(), steps.end());
+  const double rate = video.avg_frame_rate.num > 0 ? av_q2d(video.avg_frame_rate) : 30.0;
+  for (std::size_t i = 0; i < steps.size(); ++i)
+    times_ns.push_back(is_timed(time) ? av_rescale_q(steps[i], video.time_base, {1, 1000000000})
+                                      : std::llround(1e9 * static_cast<double>(i) / rate));
+}
+
+/// At some frames of a video by another program: those that can be decoded alone, if there are
+/// enough.
+void VideoFile::State::look() {
+  constexpr std::size_t kLooks = 5;
+  std::vector<std::size_t> candidates;
+  for (std::size_t i = 0; i < shown.size(); ++i)
+    if (entries[shown[i]].is_key) candidates.push_back(i);
+  if (candidates.size() < kLooks) {
+    candidates.resize(shown.size());
+    std::iota(candidates.begin(), candidates.end(), 0U);
+  }
+  const std::size_t looks = std::min(kLooks, candidates.size());
+  LevelsLook look;
+  for (std::size_t k = 0; k < looks; ++k) {
+    const std::size_t number =
+        candidates[looks < 2 ? 0 : k * (candidates.size() - 1) / (looks - 1)];
+    Frame frame;
+    if (decoder != nullptr) {
+      if (decode(number)) look.add(*av_frame);
+    } else if (add_jpeg(number, frame)) {
+      look.add(frame.grey);
+    }
+  }
+  levels = look.levels();
+  for (const auto& seen : {look.remarks(), jpeg_decoder.remarks()})
+    remarks.insert(remarks.end(), seen.begin(), seen.end());
+  if (const int degrees = requested_rotation_deg(*input.video()); degrees % 360 != 0)
+    remarks.push_back(
+        en::say("it asks viewers to turn it by {} degrees, which is not done here: "
+                "the camera's orientation is a setting of the finger",
+                degrees));
+}
+
 /// Sets time, sequence and controls from the journal, or behind its end from the video. A crash can
 /// leave the journal a line short.
 void VideoFile::State::set_times(std::size_t number, Frame& frame) const {
+  frame.time_ns = times_ns[number];
+  frame.sequence = number;
   if (number < journal.size()) {
-    frame.time_ns = journal[number].time_ns;
+    if (journal[number].time_ns) frame.time_ns = journal[number].time_ns;
     frame.sequence = journal[number].sequence;
     frame.controls = journal[number].controls;
     return;
   }
-  const AVRational step = input.video()->time_base;
-  frame.time_ns = av_rescale_q(entries[shown[number]].time, step, {1, 1000000000});
-  frame.sequence = number;
   if (journal.empty()) return;
-  frame.time_ns += journal.front().time_ns;
+  *frame.time_ns += journal.front().time_ns.value_or(0);
   frame.sequence += journal.back().sequence - (journal.size() - 1);
 }
 
@@ -222,32 +407,38 @@ Result<VideoFile> VideoFile::open(const fs::path& file, const Job& job) {
     if (!input) return input.error();
   }
   state->input = std::move(*input);
+  if (state->entries.empty()) return unreadable(en::say("the video holds no frame"), file);
+  const AVStream& video = *state->input.video();
   if (is_own_recording(*state->input.context))
     state->check = Descriptor(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
-  const auto& entries = state->entries;
-  if (entries.empty()) return unreadable(en::say("the video holds no frame"), file);
-  state->shown.resize(entries.size());
-  std::iota(state->shown.begin(), state->shown.end(), 0U);
-  std::stable_sort(state->shown.begin(), state->shown.end(),
-                   [&](std::size_t a, std::size_t b) { return entries[a].time < entries[b].time; });
-  if (state->input.video()->codecpar->codec_id != AV_CODEC_ID_MJPEG) {
-    auto decoder = open_decoder(*state->input.video(), file);
+  if (video.codecpar->codec_id != AV_CODEC_ID_MJPEG) {
+    state->unpacker = open_unpacker(video);
+    auto decoder = open_decoder(state->unpacker ? *state->unpacker->par_out : *video.codecpar,
+                                state->is_own(), file);
     if (!decoder) return decoder.error();
     state->decoder = std::move(*decoder);
   }
+  if (Status status = state->find_order(job); !status) return status.error();
+  if (!state->is_own()) state->look();
+  for (Message& remark : state->remarks)
+    remark = en::say("{}.", en::at(Message::typed(file.filename().string()), remark));
   auto journal = read_journal(journal_of(file));
   if (!journal) return journal.error();
   state->journal = std::move(*journal);
   return VideoFile(std::move(state));
 }
 
+bool contains_video(const fs::path& file) { return open_video_input(file).ok(); }
+
 std::size_t VideoFile::frame_count() const { return state_->shown.size(); }
 
 std::int64_t VideoFile::time_ns(std::size_t number) const {
   Frame frame;
   state_->set_times(number, frame);
-  return frame.time_ns;
+  return *frame.time_ns;
 }
+
+const std::vector<Message>& VideoFile::remarks() const { return state_->remarks; }
 
 double VideoFile::frames_per_s() const {
   const AVStream& video = *state_->input.video();
@@ -263,8 +454,9 @@ Result<FramePtr> VideoFile::frame(std::size_t number) {
   frame->name = fmt::format("frame_{:05}", number);
   frame->origin = s.file.string();
   if (s.decoder) {
-    auto grey = s.decoded(number);
-    if (!grey) return grey.error();
+    if (Status status = s.decode(number); !status) return status.error();
+    auto grey = grey_of(*s.av_frame, s.levels);
+    if (!grey) return Error{grey.error().what, s.file.string(), grey.error().advice};
     frame->grey = std::move(*grey);
   } else if (Status status = s.add_jpeg(number, *frame); !status) {
     return status.error();
@@ -298,6 +490,7 @@ class Encoder {
     context.pix_fmt = AV_PIX_FMT_GRAY8;
     context.time_base = {1, 1000};
     context.framerate = av_d2q(frames_per_s, 100000);
+    context.color_range = AVCOL_RANGE_JPEG;
     context.gop_size = 1;      // each frame is independent
     context.thread_count = 1;  // MagicYUV's threads would delay frames
     if (is_ffv1 && std::min(size.width, size.height) >= kSmallestSliced) {
@@ -397,20 +590,22 @@ struct VideoWriter::State {
   std::optional<Encoder> encoder;  // none for JPEG packets
   MatroskaFile file;
   AvPtr<AVPacket> packet{av_packet_alloc()};
-  bool has_first = false;
-  std::int64_t first_ns = 0, last_ns = 0;
-  double last_ms = 0;
+  std::optional<std::int64_t> first_ns = {}, last_ns = {};
+  std::optional<double> last_ms = {};
 
   [[nodiscard]] double time_ms(const Frame& frame) {
-    if (!has_first) {
-      has_first = true;
-      first_ns = last_ns = frame.time_ns;
-      return last_ms = 0;
+    if (!first_ns) first_ns = frame.time_ns;
+    if (!last_ms) {
+      last_ns = first_ns;
+      return *(last_ms = 0.0);
     }
-    const double captured_ms = static_cast<double>(frame.time_ns - first_ns) * 1e-6;
-    const bool is_later = frame.time_ns > last_ns && captured_ms >= last_ms + 1;
-    last_ns = std::max(last_ns, frame.time_ns);
-    return last_ms = is_later ? captured_ms : last_ms + std::max(period_ms, 1.0);
+    const double next_ms = *last_ms + std::max(period_ms, 1.0);
+    if (!frame.time_ns) return *(last_ms = next_ms);
+    const double captured_ms = static_cast<double>(*frame.time_ns - *first_ns) * 1e-6;
+    const bool is_later =
+        *frame.time_ns > last_ns.value_or(*frame.time_ns - 1) && captured_ms >= *last_ms + 1;
+    last_ns = std::max(last_ns.value_or(*frame.time_ns), *frame.time_ns);
+    return *(last_ms = is_later ? captured_ms : next_ms);
   }
 };
 
@@ -538,168 +733,6 @@ Result<bool> repair_recording(const fs::path& file, const Job& job) {
   if (!written) return written.error();
   remark_lost(file, index->blocks.size());
   return true;
-}
-
-namespace {
-
-// Element numbers, as in the file with their length marker.
-constexpr std::uint32_t kEbmlHead = 0x1A45DFA3, kSegment = 0x18538067, kCluster = 0x1F43B675;
-constexpr std::uint32_t kTimestamp = 0xE7, kSimpleBlock = 0xA3, kBlockGroup = 0xA0, kBlock = 0xA1;
-constexpr std::uint32_t kCheckSum = 0xBF;
-constexpr std::uint32_t kReference = 0xFB;  // to the block from which one in a group is predicted
-
-constexpr std::int64_t kUnknown = -1;
-
-struct Element {
-  std::uint32_t id = 0;
-  std::int64_t content_at = 0;
-  std::int64_t bytes = 0;  // of the content, or kUnknown
-};
-
-class File {
- public:
-  explicit File(const std::filesystem::path& path)
-      : descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
-    struct stat status {};
-    if (is_open() && ::fstat(descriptor_.number(), &status) == 0) bytes_ = status.st_size;
-  }
-  [[nodiscard]] bool is_open() const { return descriptor_.is_open(); }
-  [[nodiscard]] std::int64_t bytes() const { return bytes_; }
-  /// Reads from `at` on, up to the size of `room`.
-  [[nodiscard]] std::span<const std::uint8_t> read(std::int64_t at,
-                                                   std::span<std::uint8_t> room) const {
-    const ssize_t got = ::pread(descriptor_.number(), room.data(), room.size(), at);
-    return room.first(got > 0 ? static_cast<std::size_t>(got) : 0);
-  }
-
- private:
-  Descriptor descriptor_;
-  std::int64_t bytes_ = 0;
-};
-
-/// The element that begins at `at`; empty where there is none, or only a part of its head.
-std::optional<Element> element_at(const File& file, std::int64_t at) {
-  std::array<std::uint8_t, 12> room{};
-  const auto head = file.read(at, room);
-  if (head.empty()) return std::nullopt;
-  const auto id_length = static_cast<std::size_t>(std::countl_zero(head[0])) + 1;
-  if (id_length > 4 || head.size() <= id_length) return std::nullopt;
-  Element element;
-  for (std::size_t i = 0; i < id_length; ++i) element.id = element.id << 8U | head[i];
-  const auto length = static_cast<std::size_t>(std::countl_zero(head[id_length])) + 1;
-  if (length > 8 || head.size() < id_length + length) return std::nullopt;
-  std::uint64_t value = head[id_length] & (0xFFU >> length);
-  for (std::size_t i = 1; i < length; ++i) value = value << 8U | head[id_length + i];
-  element.content_at = at + static_cast<std::int64_t>(id_length + length);
-  const bool is_unknown = value == (std::uint64_t{1} << (7 * length)) - 1;
-  element.bytes = is_unknown ? kUnknown : static_cast<std::int64_t>(value);
-  return element;
-}
-
-std::int64_t number_in(const File& file, const Element& element) {
-  std::array<std::uint8_t, 8> room{};
-  const auto requested = static_cast<std::size_t>(std::clamp<std::int64_t>(element.bytes, 0, 8));
-  std::int64_t value = 0;
-  for (const std::uint8_t byte : file.read(element.content_at, std::span(room).first(requested)))
-    value = value << 8U | byte;
-  return value;
-}
-
-bool holds_others(std::uint32_t id) {
-  return id == kSegment || id == kCluster || id == kBlockGroup;
-}
-
-/// Walks through a file from its first element to its last. It enters container elements instead of
-/// skipping them, because after a crash their lengths are unknown.
-class Walk {
- public:
-  explicit Walk(const File& file) : file_(file) {}
-
-  MatroskaIndex run() {
-    std::int64_t at = 0;
-    while (const auto element = element_at(file_, at)) {
-      if (element->id == kSegment) index_.has_length = element->bytes != kUnknown;
-      if (element->id == kCluster) {
-        block_ = {};
-        block_.cluster_at = at;
-        cluster_end_ = element->bytes == kUnknown ? 0 : element->content_at + element->bytes;
-      }
-      if (holds_others(element->id)) {
-        at = element->content_at;
-      } else {
-        if (element->bytes == kUnknown || element->bytes > file_.bytes() - element->content_at)
-          break;
-        take(*element);
-        at = element->content_at + element->bytes;
-      }
-    }
-    index_.is_walkable = at == file_.bytes();
-    return std::move(index_);
-  }
-
- private:
-  void take(const Element& element) {
-    if (element.id == kCheckSum && element.bytes == 4 && cluster_end_ > element.content_at) {
-      block_.checked_from = element.content_at + 4;
-      block_.checked_bytes = cluster_end_ - block_.checked_from;
-      std::array<std::uint8_t, 4> sum{};
-      for (const std::uint8_t byte : file_.read(element.content_at, sum))
-        block_.check_sum = block_.check_sum >> 8U | std::uint32_t{byte} << 24U;
-    }
-    if (element.id == kTimestamp) cluster_time_ = number_in(file_, element);
-    if (element.id == kReference && !index_.blocks.empty()) index_.blocks.back().is_key = false;
-    if (element.id != kSimpleBlock && element.id != kBlock) return;
-    // The track's number (1 to 8 bytes, in recordings of this program 1), the time after the
-    // cluster's (2), flags (1).
-    std::array<std::uint8_t, 11> room{};
-    const auto head = file_.read(element.content_at, room);
-    const auto track = head.empty() ? 9 : static_cast<std::size_t>(std::countl_zero(head[0])) + 1;
-    if (track > 8 || head.size() < track + 3) return;
-    const auto relative = static_cast<std::int16_t>(head[track] << 8U | head[track + 1]);
-    block_.time = cluster_time_ + relative;
-    block_.data_bytes_at = element.content_at;
-    block_.is_key = element.id == kBlock || (head[track + 2] & 0x80U) != 0;
-    index_.blocks.push_back(block_);
-  }
-
-  const File& file_;
-  MatroskaIndex index_;
-  MatroskaIndex::Block block_{};  // the next block, with the values of its cluster
-  std::int64_t cluster_time_ = 0, cluster_end_ = 0;
-};
-
-}  // namespace
-
-Result<MatroskaIndex> index_matroska(const std::filesystem::path& path) {
-  const File file(path);
-  if (!file.is_open()) return system_error(en::say("the video cannot be opened"), path, errno);
-  const auto head = element_at(file, 0);
-  if (!head || head->id != kEbmlHead)
-    return Error{en::say("this is no Matroska file"), path.string(),
-                 en::say("check that it is the right file")};
-  return Walk(file).run();
-}
-
-bool is_undamaged(int descriptor, const MatroskaIndex::Block& block) {
-  if (block.checked_bytes <= 0) return true;
-  struct stat status {};
-  if (::fstat(descriptor, &status) != 0 ||
-      block.checked_bytes > status.st_size - block.checked_from)
-    return false;
-  const AVCRC* table = av_crc_get_table(AV_CRC_32_IEEE_LE);
-  std::uint32_t sum = 0xFFFFFFFFU;
-  // In chunks: a damaged length may be nearly that of the file.
-  std::array<std::uint8_t, std::size_t{1} << 16> room{};
-  std::int64_t left = block.checked_bytes;
-  for (std::int64_t at = block.checked_from; left > 0;) {
-    const auto requested = std::min<std::int64_t>(left, std::ssize(room));
-    const ssize_t got = ::pread(descriptor, room.data(), static_cast<std::size_t>(requested), at);
-    if (got <= 0) return false;
-    sum = av_crc(table, sum, room.data(), static_cast<std::size_t>(got));
-    at += got;
-    left -= got;
-  }
-  return (sum ^ 0xFFFFFFFFU) == block.check_sum;
 }
 
 }  // namespace alltact

@@ -14,12 +14,15 @@
 
 namespace alltact {
 
-/// An open video. Recordings of this program return the exact grey levels, JPEG packets, times and
-/// sequence numbers (from their journal, see journal.h). Other videos are converted to grey (see
-/// grey_of in libav.h), with times from the file. Not for several threads at once.
+/// An open video, in any container and codec that libav reads. Recordings of this program return
+/// the exact grey levels, JPEG packets, times and sequence numbers (from their journal, see
+/// journal.h). Other videos are converted to grey (see grey_of in libav.h), with the times at which
+/// they are shown. What their formats leave open follows from some of their frames. Not for several
+/// threads at once.
 class VideoFile {
  public:
-  /// Counts the frames (fast for Matroska, from its structure; other files are read through). First
+  /// Counts the frames (fast for Matroska, from its structure; other files are read through, and
+  /// decoded where only the decoder knows the order in which frames are shown). First
   /// repairs an interrupted recording where possible (see repair_recording(); `job` gets the
   /// progress and may stop it); otherwise the existing part is read. Errors: cannot be opened,
   /// cannot be decoded, holds no frame.
@@ -38,12 +41,18 @@ class VideoFile {
   [[nodiscard]] std::int64_t time_ns(std::size_t number) const;
   /// Approximate rate of the frames, 1/s.
   [[nodiscard]] double frames_per_s() const;
+  /// What was assumed about a video of another program, and what makes it hard to measure; a
+  /// sentence each.
+  [[nodiscard]] const std::vector<Message>& remarks() const;
 
  private:
   struct State;
   explicit VideoFile(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 };
+
+/// Whether a file is a video by its content. Opens it, without counting its frames.
+[[nodiscard]] bool contains_video(const std::filesystem::path& file);
 
 // Lossless grey video, or the camera's own packets unchanged, in Matroska.
 
@@ -100,30 +109,5 @@ class VideoWriter {
 /// necessary. Errors: it is being recorded right now, no space for a copy, folder read-only; the
 /// recording stays readable.
 [[nodiscard]] Result<bool> repair_recording(const std::filesystem::path& file, const Job& job);
-
-// Positions of the frames in a Matroska file, from its structure alone: fast, and valid for
-// truncated files as well.
-
-struct MatroskaIndex {
-  struct Block {
-    std::int64_t time;           ///< in the file's time steps
-    std::int64_t data_bytes_at;  ///< of the block's content, from the file's beginning
-    std::int64_t cluster_at;     ///< of the cluster it belongs to
-    bool is_key;
-    // The range of the cluster's check sum; 0 bytes where it has none.
-    std::int64_t checked_from, checked_bytes;
-    std::uint32_t check_sum;
-  };
-  std::vector<Block> blocks;  ///< complete ones only, in the file's order, of all its tracks
-  bool has_length = false;    ///< false: the writer did not finish the file
-  bool is_walkable = false;   ///< false: the file is damaged or incomplete behind the last block
-};
-
-/// Reads only the heads of the elements (IETF RFC 8794, RFC 9559). Error: it cannot be read, or is
-/// no Matroska file.
-[[nodiscard]] Result<MatroskaIndex> index_matroska(const std::filesystem::path& file);
-
-/// Verifies the check sum around a block; true where there is none. `descriptor`: the open file.
-[[nodiscard]] bool is_undamaged(int descriptor, const MatroskaIndex::Block& block);
 
 }  // namespace alltact

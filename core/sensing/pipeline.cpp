@@ -311,8 +311,7 @@ Eigen::MatrixXd MeasuringSteps::markers_covariance(const FrameResult& result) co
 
 void MeasuringSteps::find_evidence(FrameResult& result, StopWatch& watch) const {
   ContactEvidence& evidence = result.evidence.emplace();
-  if (result.frame->time_ns != 0)
-    evidence.time_s = 1e-9 * static_cast<double>(result.frame->time_ns);
+  evidence.time_s = time_s(*result.frame);
   if (result.depth)
     evidence.add_regions(result.regions, *result.shape,
                          result.markers ? &*result.markers : nullptr);
@@ -330,10 +329,8 @@ void MeasuringSteps::find_force(FrameResult& result, StopWatch& watch) {
   if (!force_) return;
   std::optional<Eigen::Vector2d> position_mm;
   if (!result.regions.empty()) position_mm = result.regions.front().position_on_face_mm;
-  std::optional<double> time_s;
-  if (result.frame->time_ns != 0) time_s = 1e-9 * static_cast<double>(result.frame->time_ns);
-  result.force =
-      (*force_)(full_size_markers(*result.markers, result.reduced_by), position_mm, time_s);
+  result.force = (*force_)(full_size_markers(*result.markers, result.reduced_by), position_mm,
+                           time_s(*result.frame));
   if (!result.force)
     result.problems.push_back(en::say("no marker is visible to estimate the force"));
   else if (!result.force->in_range)

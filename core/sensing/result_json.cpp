@@ -199,7 +199,7 @@ std::string result_line(const FrameResult& result, std::size_t index, ReferenceM
   Json line;
   line["frame"] = result.frame->name;
   line["index"] = index;
-  if (result.frame->time_ns != 0) line["time_ns"] = result.frame->time_ns;
+  if (result.frame->time_ns) line["time_ns"] = *result.frame->time_ns;
   if (result.reduced_by != 1) {
     line["reduced_by"] = result.reduced_by;
     line["size_px"] = {result.grey.cols, result.grey.rows};

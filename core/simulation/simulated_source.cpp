@@ -43,8 +43,9 @@ Result<FramePtr> SimulatedSource::next() {
   frame->name = fmt::format("frame_{:05}", number);
   frame->origin = origin_;
   frame->sequence = static_cast<std::uint64_t>(number);
-  frame->time_ns = std::llround(1e9 * (number + 1) / plan_.frames_per_s());
-  if (!pacer_.wait_for(frame->time_ns + std::llround(1e6 * arrival.late_ms))) return FramePtr();
+  const std::int64_t time_ns = std::llround(1e9 * (number + 1) / plan_.frames_per_s());
+  frame->time_ns = time_ns;
+  if (!pacer_.wait_for(time_ns + std::llround(1e6 * arrival.late_ms))) return FramePtr();
   return FramePtr(std::move(frame));
 }
 

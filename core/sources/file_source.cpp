@@ -3,6 +3,7 @@
 #include "core/image/image_file.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace alltact {
 namespace {
@@ -17,11 +18,11 @@ bool is_measurement(const fs::path& file) {
   return is_one_of(extension_of(file.stem()), kExtensions);
 }
 
-/// A name that ends in a number: prefix, number, and number of digits.
+/// A name that ends in a number.
 struct NumberedName {
   std::string before;
   std::uint64_t number;
-  std::size_t digits;
+  std::string digits;
 };
 
 std::optional<NumberedName> numbered(const fs::path& file) {
@@ -30,7 +31,7 @@ std::optional<NumberedName> numbered(const fs::path& file) {
   const std::size_t begin = last == std::string::npos ? 0 : last + 1;
   const std::size_t digits = stem.size() - begin;
   if (digits == 0 || digits > 18) return std::nullopt;
-  return NumberedName{stem.substr(0, begin), std::stoull(stem.substr(begin)), digits};
+  return NumberedName{stem.substr(0, begin), std::stoull(stem.substr(begin)), stem.substr(begin)};
 }
 
 /// Two or more images of one folder, with one name and numbers without a gap.
@@ -39,7 +40,10 @@ bool is_sequence(const std::vector<fs::path>& files) {
     const auto before = numbered(files[i - 1]), now = numbered(files[i]);
     if (!before || !now || before->before != now->before || now->number != before->number + 1)
       return false;
-    if (before->digits != now->digits || files[i - 1].parent_path() != files[i].parent_path() ||
+    // 9 is followed by 10, and 09 is, but 9 is not followed by 010.
+    const bool is_same_style =
+        before->digits.size() == now->digits.size() || !now->digits.starts_with('0');
+    if (!is_same_style || files[i - 1].parent_path() != files[i].parent_path() ||
         files[i - 1].extension() != files[i].extension())
       return false;
   }
@@ -70,10 +74,34 @@ Result<std::vector<fs::path>> images_in(const fs::path& folder) {
   if (files.empty())
     return Error{en::say("the folder contains no images"), folder.string(),
                  en::say("a folder with png, jpg, bmp, tif or pgm files")};
-  std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
-    return a.filename().string() < b.filename().string();
-  });
+  std::sort(files.begin(), files.end(), is_before);
   return files;
+}
+
+bool is_before(const fs::path& a, const fs::path& b) {
+  const std::string first = a.filename().string(), second = b.filename().string();
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  std::size_t i = 0, k = 0;
+  while (i < first.size() && k < second.size()) {
+    if (!is_digit(first[i]) || !is_digit(second[k])) {
+      if (first[i] != second[k])
+        return static_cast<unsigned char>(first[i]) < static_cast<unsigned char>(second[k]);
+      ++i, ++k;
+      continue;
+    }
+    const auto number_at = [&](const std::string& name, std::size_t* at) {
+      std::size_t end = *at;
+      while (end < name.size() && is_digit(name[end])) ++end;
+      while (*at + 1 < end && name[*at] == '0') ++*at;  // leading zeros
+      std::string number = name.substr(*at, end - *at);
+      *at = end;
+      return number;
+    };
+    const std::string one = number_at(first, &i), other = number_at(second, &k);
+    if (one != other) return one.size() != other.size() ? one.size() < other.size() : one < other;
+  }
+  // The same but for leading zeros, or one begins with the other.
+  return first.size() - i != second.size() - k ? i == first.size() : first < second;
 }
 
 ImageSource::ImageSource(std::vector<fs::path> files)
@@ -83,7 +111,12 @@ Result<FramePtr> ImageSource::next() {
   if (position_ == files_.size()) return FramePtr();
   const fs::path& file = files_[position_++];
   std::string settings;
-  auto grey = read_grey_image(file, &settings);
+  auto grey = read_grey_image(file, &settings, &look_);
+  if (look_.bits > 0 && !std::exchange(are_bits_known_, true)) {
+    // All images need the same levels, which the brightest of them shows.
+    for (const fs::path& each : files_) (void)read_grey_image(each, nullptr, &look_);
+    grey = read_grey_image(file, &settings, &look_);
+  }
   if (!grey) return grey.error();
   auto frame = std::make_shared<Frame>();
   if (!settings.empty()) frame->controls = std::make_shared<const std::string>(std::move(settings));
@@ -92,6 +125,13 @@ Result<FramePtr> ImageSource::next() {
   frame->origin = file.string();
   frame->sequence = position_ - 1;
   return FramePtr(std::move(frame));
+}
+
+std::vector<Message> ImageSource::remarks() const {
+  std::vector<Message> remarks;
+  for (const Message& remark : look_.remarks())
+    remarks.push_back(en::say("{}.", en::at(en::say("The images"), remark)));
+  return remarks;
 }
 
 FrameSource::FrameSource(std::vector<FramePtr> frames) : frames_(std::move(frames)) {
@@ -108,7 +148,7 @@ Result<FramePtr> VideoSource::next() {
   if (position_ == video_.frame_count()) return FramePtr();
   auto frame = video_.frame(position_++);
   if (!frame) return frame;
-  if (!pacer_.wait_for((*frame)->time_ns)) return FramePtr();
+  if ((*frame)->time_ns && !pacer_.wait_for(*(*frame)->time_ns)) return FramePtr();
   return frame;
 }
 

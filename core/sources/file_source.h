@@ -4,12 +4,12 @@
 #include "core/base/job.h"
 #include "core/base/result.h"
 #include "core/image/frame.h"
+#include "core/image/image_file.h"
 #include "core/recording/video_file.h"
 #include "core/sources/source.h"
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -23,7 +23,11 @@ namespace alltact {
 /// True for a file name with an image extension.
 [[nodiscard]] bool is_image_file(const std::filesystem::path& file);
 
-/// Returns a folder's images in name order. Errors: it cannot be read, or holds none.
+/// The order of names, with the numbers in them by their values: image_9 before image_10.
+[[nodiscard]] bool is_before(const std::filesystem::path& a, const std::filesystem::path& b);
+
+/// Returns a folder's images in that order of their names. Errors: it cannot be read, or holds
+/// none.
 [[nodiscard]] Result<std::vector<std::filesystem::path>> images_in(
     const std::filesystem::path& folder);
 
@@ -36,11 +40,14 @@ class ImageSource : public Source {
   void skip(std::size_t count) override { position_ += std::min(count, files_.size() - position_); }
   [[nodiscard]] std::optional<std::size_t> count() const override { return files_.size(); }
   [[nodiscard]] bool is_continuous() const override { return is_continuous_; }
+  [[nodiscard]] std::vector<Message> remarks() const override;
 
  private:
   std::vector<std::filesystem::path> files_;
   bool is_continuous_;
   std::size_t position_ = 0;
+  ImageLook look_;
+  bool are_bits_known_ = false;
 };
 
 /// Frames in memory. Continuous when their names are numbered without a gap.
@@ -72,6 +79,7 @@ class VideoSource : public Source {
   [[nodiscard]] std::optional<std::size_t> count() const override { return video_.frame_count(); }
   [[nodiscard]] bool is_continuous() const override { return true; }
   [[nodiscard]] double frames_per_s() const override { return video_.frames_per_s(); }
+  [[nodiscard]] std::vector<Message> remarks() const override { return video_.remarks(); }
 
  private:
   VideoFile video_;
@@ -128,11 +136,11 @@ class RecordedFrames {
 
 // The kind of a file by its extension.
 
-/// Returns ".png", in lower case.
+/// Returns ".png", its English letters in lower case in any locale.
 inline std::string extension_of(const std::filesystem::path& file) {
   std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  for (char& c : extension)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   return extension;
 }
 

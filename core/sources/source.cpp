@@ -39,7 +39,7 @@ NewestSource::NewestSource(std::unique_ptr<Source> source)
 void NewestSource::run(const std::stop_token& stop) {
   while (!stop.stop_requested()) {
     auto frame = guarded([this] { return source_->next(); });
-    const bool is_untimed = frame && *frame && (*frame)->time_ns == 0 && !source_->is_live();
+    const bool is_untimed = frame && *frame && !(*frame)->time_ns && !source_->is_live();
     if (take(std::move(frame))) return;
     if (is_untimed)
       wait_frame_period(source_->frames_per_s(), [&] { return stop.stop_requested(); });

@@ -41,6 +41,10 @@ class Source {
   /// Approximate rate of the frames, 1/s.
   [[nodiscard]] virtual double frames_per_s() const { return 30.0; }
 
+  /// What was assumed about the frames so far, and what makes them hard to measure; a sentence
+  /// each.
+  [[nodiscard]] virtual std::vector<Message> remarks() const { return {}; }
+
   /// Skips frames, no more than there are.
   virtual void skip(std::size_t count) {
     for (; count > 0; --count)

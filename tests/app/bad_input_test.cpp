@@ -25,14 +25,11 @@ class Ladder {
     write("small", good(cv::Rect(0, 0, 100, 80)).clone());
     cv::Mat colour(good.size(), CV_8UC3, cv::Scalar(20, 60, 220));
     write("colour", colour);
-    cv::Mat deep;
-    good.convertTo(deep, CV_16U, 256.0);
-    write("deep", deep);
     write("black", cv::Mat::zeros(good.size(), CV_8UC1));
   }
 
   [[nodiscard]] static std::vector<std::string> names() {
-    return {"missing", "empty", "truncated", "text", "small", "colour", "deep", "black"};
+    return {"missing", "empty", "truncated", "text", "small", "colour", "black"};
   }
   [[nodiscard]] std::string path(const std::string& name) const {
     return flat_.file(name + ".png");

@@ -70,8 +70,9 @@ TEST(Lens, ChessboardsGiveTheCameraOfAFinger) {
   EXPECT_EQ(found["pictures"], 11);
   EXPECT_THAT(found["views"].dump(), HasSubstr("hardly any contrast"));
   EXPECT_EQ(found["camera"], camera);
-  LensRecord record;
-  ASSERT_TRUE(load_camera(camera, &record));
+  const auto file = load_camera(camera);
+  ASSERT_TRUE(file) << file.error().sentence();
+  LensRecord record = file->lens;
   EXPECT_EQ(record["verdict"], found["verdict"]);
   const auto verdict = nlohmann::ordered_json::parse(record["verdict_message"]);
   EXPECT_EQ(message_of(verdict).english(), record["verdict"]);
@@ -214,7 +215,8 @@ TEST(Lens, WhatCannotBeCalibratedSaysWhyAndWritesNothing) {
     return run.errors;
   };
   EXPECT_THAT(failing((folder / "two").string(), "8x6"), HasSubstr("only 2"));
-  EXPECT_THAT(failing((folder / "two").string(), "9x7"), HasSubstr("but one with 8 x 6"));
+  EXPECT_THAT(failing((folder / "two").string(), "9x7"),
+              HasSubstr("this board has 8 x 6 inner corners, not 9 x 7"));
   EXPECT_THAT(failing((folder / "nothing").string(), "8x6"), HasSubstr("nothing"));
   ASSERT_TRUE(
       cv::imwrite((folder / "two/zz.png").string(), cv::Mat(240, 320, CV_8UC1, cv::Scalar(90))));

@@ -42,7 +42,7 @@ inline FakeOptions full_hd_camera(int packets) {
 /// Since the camera's own time stamp.
 inline double age_ms(const Frame& frame) {
   const auto now = std::chrono::steady_clock::now().time_since_epoch();
-  return std::chrono::duration<double, std::milli>(now - std::chrono::nanoseconds(frame.time_ns))
+  return std::chrono::duration<double, std::milli>(now - std::chrono::nanoseconds(*frame.time_ns))
       .count();
 }
 

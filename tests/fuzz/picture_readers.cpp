@@ -5,6 +5,7 @@
 #include "core/mesh/mesh_file.h"
 #include "core/mesh/surface_file.h"
 #include "core/recording/depth_video.h"
+#include "core/recording/matroska.h"
 #include "core/recording/video_file.h"
 #include "core/sensing/markers/dot_network.h"
 #include "core/thumbnail/thumbnail.h"

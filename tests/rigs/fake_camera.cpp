@@ -178,6 +178,11 @@ std::uint64_t FakeCamera::filled() const {
   const std::lock_guard lock(mutex_);
   return filled_;
 }
+
+std::size_t FakeCamera::buffers_to_fill() const {
+  const std::lock_guard lock(mutex_);
+  return queued_.size();
+}
 bool FakeCamera::is_streaming() const {
   const std::lock_guard lock(mutex_);
   return is_streaming_;

@@ -28,9 +28,14 @@ struct FakeOptions {
   bool is_multi_planar = false;
   bool tells_source = false;  ///< V4L2_EVENT_SOURCE_CHANGE, as converters do and USB cameras do not
   std::uint32_t jpeg_quality = 85;
-  /// MJPG: sent in turn instead of the made pictures.
+  /// MJPG and H264: sent in turn instead of the made pictures; H264 needs them.
   std::vector<std::vector<std::uint8_t>> packets = {};
 };
+
+/// Whether a frame is a packet of its own size.
+inline bool is_compressed(std::uint32_t fourcc) {
+  return fourcc == V4L2_PIX_FMT_MJPEG || fourcc == V4L2_PIX_FMT_H264;
+}
 
 /// Any thread may call. What a program sees follows the kernel's documentation of V4L2; several
 /// handles may be open at once, one of them streams.
@@ -66,7 +71,8 @@ class FakeCamera : public V4l2Calls {
   void set_from_outside(std::uint32_t id, std::int32_t value);
   void drift(std::uint32_t id, std::int32_t value);  ///< as by itself, without an event
   [[nodiscard]] std::int32_t control(std::uint32_t id) const;
-  [[nodiscard]] std::uint64_t filled() const;  ///< frames handed to programs
+  [[nodiscard]] std::uint64_t filled() const;         ///< frames handed to programs
+  [[nodiscard]] std::size_t buffers_to_fill() const;  ///< without one the next frame is lost
   [[nodiscard]] bool is_streaming() const;
   [[nodiscard]] int open_handles() const;
   [[nodiscard]] bool owns(int descriptor) const;

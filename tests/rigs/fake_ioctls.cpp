@@ -16,7 +16,11 @@ void write_text(std::uint8_t (&field)[N], const std::string& text) {
   std::memcpy(field, text.data(), std::min(text.size(), N - 1));
 }
 
-std::uint32_t bytes_per_pixel(std::uint32_t fourcc) { return fourcc == V4L2_PIX_FMT_GREY ? 1 : 2; }
+/// Of the first plane.
+std::uint32_t bytes_per_pixel(std::uint32_t fourcc) {
+  if (fourcc == V4L2_PIX_FMT_GREY || fourcc == V4L2_PIX_FMT_NV12) return 1;
+  return fourcc == V4L2_PIX_FMT_RGB24 || fourcc == V4L2_PIX_FMT_BGR24 ? 3 : 2;
+}
 
 /// What a handle of lower priority may not do.
 bool is_a_change(unsigned long request) {
@@ -211,9 +215,10 @@ void FakeCamera::adjust(v4l2_pix_format& image) const {
   std::tie(image.width, image.height) = *nearest;
   if (is_refusing_size_) image.width = 160, image.height = 120;
   const bool is_jpeg = image.pixelformat == V4L2_PIX_FMT_MJPEG;
+  const std::uint32_t pixel_bytes = bytes_per_pixel(image.pixelformat);
   image.field = V4L2_FIELD_NONE;
-  image.bytesperline = is_jpeg ? 0 : image.width * bytes_per_pixel(image.pixelformat);
-  image.sizeimage = image.width * image.height * 2;
+  image.bytesperline = is_compressed(image.pixelformat) ? 0 : image.width * pixel_bytes;
+  image.sizeimage = image.width * image.height * std::max(2U, pixel_bytes);
   image.colorspace = is_jpeg ? V4L2_COLORSPACE_JPEG : V4L2_COLORSPACE_SRGB;
   image.priv = V4L2_PIX_FMT_PRIV_MAGIC;
   image.flags = 0;

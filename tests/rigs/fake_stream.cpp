@@ -167,10 +167,42 @@ void FakeCamera::deliver() {
   syscall(SYS_sendto, owner_->peer, &byte, 1, MSG_NOSIGNAL | MSG_DONTWAIT, nullptr, 0);
 }
 
+namespace {
+
+/// Writes a pixel of this brightness; returns its bytes.
+std::size_t pack(std::uint32_t fourcc, std::uint8_t grey, std::uint8_t* to) {
+  const auto pair = [&](int first, int second) {
+    to[0] = static_cast<std::uint8_t>(first);
+    to[1] = static_cast<std::uint8_t>(second);
+    return std::size_t{2};
+  };
+  switch (fourcc) {
+    case V4L2_PIX_FMT_Y10:  // the lowest bits must not show
+      return pair((grey << 2 | 3) & 0xFF, grey >> 6);
+    case V4L2_PIX_FMT_Y12:
+      return pair((grey << 4 | 9) & 0xFF, grey >> 4);
+    case V4L2_PIX_FMT_Y16:
+      return pair(0x5A, grey);
+    case V4L2_PIX_FMT_YUYV:
+      return pair(grey, 0x80);
+    case V4L2_PIX_FMT_UYVY:
+      return pair(0x80, grey);
+    case V4L2_PIX_FMT_RGB24:
+    case V4L2_PIX_FMT_BGR24:
+      std::fill_n(to, 3, grey);
+      return 3;
+    default:  // GREY, NV12
+      *to = grey;
+      return 1;
+  }
+}
+
+}  // namespace
+
 std::uint32_t FakeCamera::fill(std::span<std::uint8_t> memory) {
   const std::uint64_t sequence = shown_;
   const std::uint32_t width = picture_.width, height = picture_.height;
-  if (picture_.pixelformat == V4L2_PIX_FMT_MJPEG) {
+  if (is_compressed(picture_.pixelformat)) {
     const auto& jpeg = [&]() -> const std::vector<std::uint8_t>& {
       if (!options_.packets.empty()) return options_.packets[sequence % options_.packets.size()];
       auto& made = jpegs_[{width, sequence % 128}];
@@ -186,14 +218,12 @@ std::uint32_t FakeCamera::fill(std::span<std::uint8_t> memory) {
     return static_cast<std::uint32_t>(jpeg.size());
   }
   std::size_t at = 0;
-  for (std::uint32_t v = 0; v < height; ++v) {
-    for (std::uint32_t u = 0; u < width; ++u) {
-      const std::uint8_t grey = truth(sequence, u, v);
-      if (picture_.pixelformat == V4L2_PIX_FMT_Y16)
-        memory[at++] = 0x5A;  // the low byte, which must not show
-      memory[at++] = grey;
-      if (picture_.pixelformat == V4L2_PIX_FMT_YUYV) memory[at++] = 0x80;
-    }
+  for (std::uint32_t v = 0; v < height; ++v)
+    for (std::uint32_t u = 0; u < width; ++u)
+      at += pack(picture_.pixelformat, truth(sequence, u, v), &memory[at]);
+  if (picture_.pixelformat == V4L2_PIX_FMT_NV12) {
+    std::fill_n(&memory[at], at / 2, std::uint8_t{0x80});
+    at += at / 2;
   }
   return static_cast<std::uint32_t>(at);
 }

@@ -39,7 +39,7 @@ class SteadyCamera : public Source {
     auto frame = std::make_shared<Frame>();
     frame->sequence = count_++;
     frame->time_ns = first_ns_ + static_cast<std::int64_t>(frame->sequence) * kPeriod_ns;
-    while (monotonic_ns() < frame->time_ns || (is_stuck_ != nullptr && *is_stuck_))
+    while (monotonic_ns() < *frame->time_ns || (is_stuck_ != nullptr && *is_stuck_))
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     frame->grey = pictures_[frame->sequence % pictures_.size()];
     frame->origin = name_;
@@ -132,10 +132,10 @@ TEST_F(TwoCameras, ShowsBothPicturesOfOneMoment) {
         const FramePtr& first = pair->views[0]->result.frame;
         const FramePtr& second = pair->views[1]->result.frame;
         if (first->time_ns == last_ns || !pair->is_in_time) return false;
-        last_ns = first->time_ns;
+        last_ns = *first->time_ns;
         EXPECT_EQ(first->origin, "left camera");
         EXPECT_EQ(second->origin, "right camera");
-        EXPECT_EQ(second->time_ns - first->time_ns, kLater_ns);
+        EXPECT_EQ(*second->time_ns - *first->time_ns, kLater_ns);
         return ++seen == 8;
       },
       20000))

@@ -43,7 +43,7 @@ class RememberedSource : public Source {
     frame->origin = origin_;
     frame->sequence = static_cast<std::uint64_t>(number);
     frame->time_ns = std::llround(1e9 * (number + 1) / scene_->plan().frames_per_s());
-    return pacer_.wait_for(frame->time_ns) ? FramePtr(std::move(frame)) : FramePtr();
+    return pacer_.wait_for(*frame->time_ns) ? FramePtr(std::move(frame)) : FramePtr();
   }
   void skip(std::size_t count) override { number_ += static_cast<int>(count); }
   [[nodiscard]] std::optional<std::size_t> count() const override { return std::nullopt; }

@@ -19,6 +19,7 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <QVBoxLayout>
+#include <array>
 
 #include <nlohmann/json.hpp>
 
@@ -142,6 +143,13 @@ Message verdict_in(const LensRecord& record) {
   return verdict == record.end() ? Message() : Message::typed(verdict->second);
 }
 
+/// What the calibration remarks on the board and the images, a line each.
+QStringList remark_lines(const LensCalibration& calibration) {
+  QStringList lines;
+  for (const Message& remark : calibration.remarks) lines << window_sentence(remark);
+  return lines;
+}
+
 QString camera_text(const CameraParameters& camera, const LensRecord& record) {
   const QLocale locale;
   QStringList parts{LensPage::tr("%1, %2 × %3 px")
@@ -253,7 +261,7 @@ void LensPage::connect_parts() {
   for (QLineEdit* line : {file_, images_}) show_text_as_tip(*line);
   connect(choose_file_, &QPushButton::clicked, this, [this] {
     ask_for_file(
-        this, tr("Camera file"), tr("Camera (*.yaml *.yml)"),
+        this, tr("Camera file"), tr("Camera (*.yaml *.yml *.json *.xml *.cameramodel *.txt)"),
         [this](const QString& file) { take_file(file.toStdString()); }, file_->text());
   });
   connect(choose_images_, &QPushButton::clicked, this, [this] {
@@ -285,7 +293,8 @@ void LensPage::name_parts() {
   board_group_->setTitle(tr("Or measured with images of a board"));
   live_group_->setTitle(tr("Or live, with a board"));
   file_->setAccessibleName(tr("Camera file"));
-  file_->setPlaceholderText(tr("camera.yaml from the lens calibration"));
+  file_->setPlaceholderText(
+      tr("camera.yaml, or a file of ROS, OpenCV, Kalibr, mrcal, PhotonVision or Matlab"));
   file_->setToolTip(file_->text().isEmpty() ? file_->placeholderText() : file_->text());
   choose_file_->setText(tr("&Choose…"));
   choose_file_->setAccessibleName(tr("Choose a camera file"));
@@ -343,7 +352,10 @@ void LensPage::show_summary(bool has_folder) {
                           .arg(camera_text(finger.finger->camera, finger.finger->lens_record)) +
                       QLatin1Char('\n') + tr("Blue: straight lines, as this lens shows them."));
   else if (camera_)
-    summary_->setText(tr("The camera has %1").arg(camera_text(*camera_, record_)));
+    summary_->setText(
+        tr("The camera has %1").arg(camera_text(camera_->parameters, camera_->lens)) +
+        QLatin1Char('\n') +
+        as_sentence(tr("Camera file: %1").arg(in_window_language(camera_->understood))));
   else
     summary_->setText(
         tr("A finger measures through its camera's lens, so the lens comes first. Measure it once "
@@ -351,18 +363,19 @@ void LensPage::show_summary(bool has_folder) {
 }
 
 void LensPage::take_file(const std::filesystem::path& file) {
-  LensRecord record;
-  const auto camera = load_camera(file, &record);
+  const auto camera = load_camera(file);
+  std::vector<Problem> problems;
   if (!camera) {
     camera_.reset();
     camera_file_.clear();
-    problems_->set_problems({Problem::of(camera.error())});
+    problems.push_back(Problem::of(camera.error()));
   } else {
     camera_ = *camera;
     camera_file_ = file;
-    record_ = record;
-    problems_->set_problems({});
+    for (const Message& warning : camera->warnings)
+      problems.push_back(Problem::of(Error{warning, "", ""}, Meaning::kDoubtful));
   }
+  problems_->set_problems(std::move(problems));
   file_->setText(QString::fromStdString(file.string()));
   show_status();
   Q_EMIT changed();
@@ -406,9 +419,10 @@ void LensPage::measure() {
       outcome_->setText(tr("Written to %1.").arg(QString::fromStdString(file.string())));
       show_views(measured->views);
       const Message& advice = measured->coverage.advice;
-      forecast_->setText(advice.empty()
-                             ? QString()
-                             : tr("Still better with: %1.").arg(in_window_language(advice)));
+      QStringList lines = remark_lines(*measured);
+      if (!advice.empty())
+        lines.prepend(tr("Still better with: %1.").arg(in_window_language(advice)));
+      forecast_->setText(lines.join(QLatin1Char('\n')));
       take_file(file);
     });
   });
@@ -456,6 +470,11 @@ NumberField* number(double low, double high, int decimals, double value) {
   return box;
 }
 
+constexpr std::array kPatterns{BoardPattern::kChessboard, BoardPattern::kCharuco,
+                               BoardPattern::kDots, BoardPattern::kAsymmetricDots,
+                               BoardPattern::kAprilGrid};
+constexpr int kPatternCount = static_cast<int>(kPatterns.size());
+
 /// The typed number, also before editing is finished.
 template <class Field>
 auto now(const Field* field) {
@@ -491,7 +510,7 @@ LensForm::LensForm(QWidget* parent)
   square_->set_quantity(kBoardSquare);
   form_->setContentsMargins(0, 0, 0, 0);
   form_->setRowWrapPolicy(QFormLayout::WrapLongRows);
-  for (int i = 0; i < 3; ++i) pattern_->addItem({});
+  for (int i = 0; i < kPatternCount; ++i) pattern_->addItem({});
   for (int i = 0; i < 2; ++i) model_->addItem({});
   for (IntegerField* count : {columns_, rows_}) count->setRange(3, 100);
   columns_->setValue(9);
@@ -527,7 +546,9 @@ void LensForm::name_parts() {
   pattern_->setItemText(0, tr("Chessboard"));
   pattern_->setItemText(1, tr("ChArUco board"));
   pattern_->setItemText(2, tr("Grid of dots"));
-  size_label_->setText(tr("&Inner corners, or dots"));
+  pattern_->setItemText(3, tr("Asymmetric grid of dots"));
+  pattern_->setItemText(4, tr("AprilGrid"));
+  size_label_->setText(tr("&Inner corners, dots or tags"));
   columns_->setAccessibleName(tr("Inner corners in a row"));
   rows_->setAccessibleName(tr("Inner corners in a column"));
   by_label_->setText(tr("by"));
@@ -562,10 +583,8 @@ void LensForm::show_port() {
 }
 
 Board LensForm::board() const {
-  constexpr BoardPattern kPatterns[] = {BoardPattern::kChessboard, BoardPattern::kCharuco,
-                                        BoardPattern::kDots};
   Board board;
-  board.pattern = kPatterns[pattern_->currentIndex()];
+  board.pattern = kPatterns.at(static_cast<std::size_t>(pattern_->currentIndex()));
   board.columns = now(columns_);
   board.rows = now(rows_);
   board.square_mm = now(square_);
@@ -716,8 +735,12 @@ void LensPage::fit_boards() {
       if (collector != collector_) return;
       fitted_ = *made ? std::make_shared<const LensCalibration>(std::move(**made)) : nullptr;
       if (fitted_) show_views(fitted_->views);
-      forecast_->setText(fitted_ ? window_sentence(fitted_->verdict.sentence)
-                                 : window_sentence(made->error().what));
+      if (fitted_)
+        forecast_->setText(
+            (QStringList{window_sentence(fitted_->verdict.sentence)} + remark_lines(*fitted_))
+                .join(QLatin1Char('\n')));
+      else
+        forecast_->setText(window_sentence(made->error().what));
       show_boards();
     });
   });

@@ -116,8 +116,7 @@ class LensPage : public StepPage {
   QLabel *guide_, *forecast_;
   QListWidget* views_;
   std::filesystem::path camera_file_;
-  std::optional<CameraParameters> camera_;
-  LensRecord record_;
+  std::optional<CameraFile> camera_;
   bool had_folder_ = false;  // a finger was open before it was loaded again
   BackgroundWork work_;
 

@@ -281,8 +281,8 @@ SecondFingerDialog::SecondFingerDialog(const std::optional<SecondFinger>& now, Q
   });
   const auto take_recording = [this](const QString& path) { recording_->setText(path); };
   connect(choose_video_, &QPushButton::clicked, this, [this, take_recording] {
-    ask_for_file(this, tr("The second finger's video"), tr("Videos (*.mkv *.avi *.mp4)"),
-                 take_recording, recording_->text());
+    ask_for_file(this, tr("The second finger's video"), video_filter(), take_recording,
+                 recording_->text());
   });
   connect(choose_folder_, &QPushButton::clicked, this, [this, take_recording] {
     ask_for_folder(this, tr("Image folder of the second finger"), take_recording,

@@ -429,7 +429,7 @@ SecondCameraDialog::SecondCameraDialog(const std::optional<SecondCamera>& now,
   });
   connect(choose_source_, &QPushButton::clicked, this, [this] {
     ask_for_file(this, tr("Source of the second finger"),
-                 tr("Videos and scenes (*.mkv *.avi *.mp4 *.yaml *.yml)"),
+                 video_filter(QStringLiteral("*.yaml *.yml")),
                  [this](const QString& file) { source_->setEditText(file); });
   });
   connect(choose_gripper_, &QPushButton::clicked, this, [this] {

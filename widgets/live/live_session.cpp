@@ -144,8 +144,8 @@ void LiveSession::follow_touch() {
   // While a finger loads, and for a view or two after, the former finger measures.
   if (view_->opened != status_.finger.opened) return;
   const FramePtr& frame = view_->result.frame;
-  const std::int64_t time_ns = frame && frame->time_ns != 0 ? frame->time_ns : monotonic_ns();
-  touch_history_.add(view_->result, 1e-9 * static_cast<double>(time_ns));
+  const auto taken_s = frame ? time_s(*frame) : std::nullopt;
+  touch_history_.add(view_->result, taken_s.value_or(1e-9 * static_cast<double>(monotonic_ns())));
 }
 
 void LiveSession::set_force_zero(const std::optional<SessionZero>& zero) {
@@ -164,7 +164,7 @@ std::optional<SessionZero> LiveSession::force_zero() const {
 void LiveSession::follow_remarks() {
   constexpr std::int64_t kShown_ns = 10 * kSecond_ns;
   const auto remarks =
-      status_.source.camera ? status_.source.camera->remarks : std::vector<Message>{};
+      status_.source.camera ? status_.source.camera->remarks : status_.source.remarks;
   if (remarks != remarks_ && !remarks.empty()) remarked_ns_ = monotonic_ns();
   remarks_ = remarks;
   const bool is_shown = !remarks_.empty() && monotonic_ns() < remarked_ns_ + kShown_ns;

@@ -99,7 +99,7 @@ QWidget* InspectPage::make_side() {
 void InspectPage::connect_parts() {
   connect(live_, &QPushButton::clicked, this, &InspectPage::go_live);
   connect(video_, &QPushButton::clicked, this, [this] {
-    ask_for_file(this, tr("Open a video"), tr("Videos (*.mkv *.avi *.mp4)"),
+    ask_for_file(this, tr("Open a video"), video_filter(),
                  [this](const QString& file) { open(file.toStdString()); });
   });
   connect(folder_, &QPushButton::clicked, this, [this] {

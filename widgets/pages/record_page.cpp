@@ -112,7 +112,7 @@ void RecordPage::connect_parts() {
   connect(onward_, &QPushButton::clicked, this, [this] { Q_EMIT lead_requested("calibrate"); });
   connect(video_, &QPushButton::clicked, this, [this] {
     ask_for_file(
-        this, tr("Video of the bending finger"), tr("Videos (*.mkv *.avi *.mp4 *.mov)"),
+        this, tr("Video of the bending finger"), video_filter(),
         [this](const QString& file) {
           report_.reset();
           problem_image_ = {};

@@ -338,8 +338,7 @@ std::optional<double> median_displacement_px(const Markers& a, const Markers& b)
 
 bool QuickBending::is_quick(const FrameResult& result) {
   if (!result.frame || !result.markers) return false;
-  const std::int64_t taken_ns = result.frame->time_ns;
-  const double now_s = 1e-9 * static_cast<double>(taken_ns > 0 ? taken_ns : monotonic_ns());
+  const double now_s = time_s(*result.frame).value_or(1e-9 * static_cast<double>(monotonic_ns()));
   const bool goes_on = result.frame->origin == source_ && now_s > before_s_;
   const auto displacement_px =
       goes_on ? median_displacement_px(before_, *result.markers) : std::nullopt;

@@ -91,7 +91,7 @@ class Error(Exception):
 
 class Frame:
     """One grey picture, immutable."""
-    def __init__(self, grey: Grey, *, time_ns: int = 0, name: str = "frame", sequence: int = 0) -> None:
+    def __init__(self, grey: Grey, *, time_ns: int | None = None, name: str = "frame", sequence: int = 0) -> None:
         """Over the array's own memory: leave that as it is for as long as the frame is in use."""
     @property
     def grey(self) -> Grey:
@@ -105,8 +105,8 @@ class Frame:
     def sequence(self) -> int:
         """Counts from 0 in the source's order; gaps are lost frames."""
     @property
-    def time_ns(self) -> int:
-        """When it was taken, ns of a monotonic clock; 0 where the source has none."""
+    def time_ns(self) -> int | None:
+        """When it was taken, ns: a camera's by the monotonic clock, a video's by its own; None where the source has none."""
     @property
     def controls(self) -> str | None:
         """What camera and light were set to: "Camera=...; Gain=3"."""
@@ -243,7 +243,7 @@ class Finger:
         """What it measures with."""
     @property
     def warnings(self) -> list[str]: ...
-    def measure(self, picture: Grey | Frame, *, time_ns: int = 0, name: str = "") -> Result:
+    def measure(self, picture: Grey | Frame, *, time_ns: int | None = None, name: str = "") -> Result:
         """picture: uint8 [v, u] with pixels side by side, as the camera gives it; not copied. Pictures follow each other, unless
         forget() was called. time_ns: when it was taken, for how long a contact has lasted. Error: not of the camera's size."""
     def forget(self) -> None:

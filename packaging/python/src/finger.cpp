@@ -219,8 +219,8 @@ OpenFingerPtr load(const fs::path& folder, const std::string& preset, const py::
 }
 
 /// A frame of its own or one made over an array.
-FramePtr frame_to_measure(OpenFinger& open, const py::object& image, std::int64_t time_ns,
-                          const std::string& name) {
+FramePtr frame_to_measure(OpenFinger& open, const py::object& image,
+                          std::optional<std::int64_t> time_ns, const std::string& name) {
   if (py::isinstance<Frame>(image)) return image.cast<std::shared_ptr<Frame>>();
   auto frame = frame_over(image);
   // Averaged frames must not change; the array is the caller's.
@@ -231,8 +231,8 @@ FramePtr frame_to_measure(OpenFinger& open, const py::object& image, std::int64_
   return frame;
 }
 
-MeasuredResultPtr measure(OpenFinger& open, const py::object& image, std::int64_t time_ns,
-                          const std::string& name) {
+MeasuredResultPtr measure(OpenFinger& open, const py::object& image,
+                          std::optional<std::int64_t> time_ns, const std::string& name) {
   FramePtr frame = frame_to_measure(open, image, time_ns, name);
   const py::gil_scoped_release others_may_run;
   const std::lock_guard lock(open.measuring);
@@ -380,8 +380,8 @@ void bind_facts(Documented<OpenFinger>& finger) {
 
 void bind_measuring(Documented<OpenFinger>& finger) {
   finger
-      .method("measure", &measure, py::arg("picture"), py::kw_only(), py::arg("time_ns") = 0,
-              py::arg("name") = "")
+      .method("measure", &measure, py::arg("picture"), py::kw_only(),
+              py::arg("time_ns") = py::none(), py::arg("name") = "")
       .method("forget",
               [](OpenFinger& f) {
                 const py::gil_scoped_release others_may_run;

@@ -54,7 +54,7 @@ py::object times_of(const Recording& recording) {
 void bind_frame(py::module_& module) {
   Documented<Frame>(module, "Frame")
       .made_by(
-          [](const py::object& grey, std::int64_t time_ns, const std::string& name,
+          [](const py::object& grey, std::optional<std::int64_t> time_ns, const std::string& name,
              std::uint64_t sequence) {
             auto frame = frame_over(grey);
             frame->time_ns = time_ns;
@@ -62,8 +62,8 @@ void bind_frame(py::module_& module) {
             frame->sequence = sequence;
             return frame;
           },
-          py::arg("grey"), py::kw_only(), py::arg("time_ns") = 0, py::arg("name") = "frame",
-          py::arg("sequence") = 0)
+          py::arg("grey"), py::kw_only(), py::arg("time_ns") = py::none(),
+          py::arg("name") = "frame", py::arg("sequence") = 0)
       .property("grey", [](const std::shared_ptr<Frame>& f) { return array_of(f->grey, f); })
       .property("name", [](const Frame& f) { return f.name; })
       .property("origin", [](const Frame& f) { return f.origin; })

@@ -117,7 +117,7 @@ TEST(BurstSource, AveragesWhatIsHeldStill) {
   EXPECT_LT(noise_left((*second)->grey, scene({320, 200}, 0)), 0.8);
   EXPECT_EQ(cv::norm((*third)->grey, single->grey), 0.0);
   EXPECT_EQ(*source.next(), nullptr);
-  EXPECT_THAT(source.made_of().front().english(),
+  EXPECT_THAT(source.remarks().front().english(),
               HasSubstr("press_1: the mean of 20 still frames, of 31"));
 }
 

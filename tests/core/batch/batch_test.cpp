@@ -24,7 +24,7 @@ struct DrawnFrame {
   FramePtr frame;
   double depth_mm = 0;  ///< of the ball that presses; 0: nothing does
   cv::Point2d at_px;
-  [[nodiscard]] double time_s() const { return 1e-9 * static_cast<double>(frame->time_ns); }
+  [[nodiscard]] double time_s() const { return alltact::time_s(*frame).value(); }
 };
 
 /// A sensor on which balls press for random times, at random places and depths; some frames show

@@ -22,7 +22,9 @@ inline CameraAccess place_of(FakeCamera& fake, const std::string& node = "/dev/v
 
 inline FakeOptions raw(bool is_live) {
   FakeOptions options;
-  options.fourccs = {V4L2_PIX_FMT_GREY, V4L2_PIX_FMT_YUYV, V4L2_PIX_FMT_Y16, V4L2_PIX_FMT_MJPEG};
+  options.fourccs = {V4L2_PIX_FMT_GREY,  V4L2_PIX_FMT_YUYV,  V4L2_PIX_FMT_Y16, V4L2_PIX_FMT_MJPEG,
+                     V4L2_PIX_FMT_UYVY,  V4L2_PIX_FMT_NV12,  V4L2_PIX_FMT_Y10, V4L2_PIX_FMT_Y12,
+                     V4L2_PIX_FMT_RGB24, V4L2_PIX_FMT_BGR24, V4L2_PIX_FMT_H264};
   options.sizes = {{64, 48}};
   options.rates = {200, 30};
   options.is_live = is_live;

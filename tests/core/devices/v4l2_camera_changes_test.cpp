@@ -224,10 +224,10 @@ TEST(V4l2Camera, AClockThatIsSetBackDuringARecordingIsSaidAndLosesNothing) {
       const auto frame = queue->next(5s);
       ASSERT_TRUE(frame && frame->ok());
       const std::int64_t now_ns = Clock::now().time_since_epoch() / 1ns;
-      EXPECT_GT((**frame)->time_ns, last_ns);
-      EXPECT_LE((**frame)->time_ns, now_ns);
-      EXPECT_GT((**frame)->time_ns, now_ns - 5'000'000'000);
-      last_ns = (**frame)->time_ns;
+      EXPECT_GT(*(**frame)->time_ns, last_ns);
+      EXPECT_LE(*(**frame)->time_ns, now_ns);
+      EXPECT_GT(*(**frame)->time_ns, now_ns - 5'000'000'000);
+      last_ns = *(**frame)->time_ns;
       EXPECT_TRUE((*recorder)->add(**frame));
     }
   }

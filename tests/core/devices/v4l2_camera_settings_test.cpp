@@ -130,7 +130,8 @@ TEST(ChooseFormat, TakesTheLargestThatIsFastEnoughAndLosesLeast) {
   EXPECT_EQ(chosen({"", 640, 480, 0}), "640x480 GREY at 30 frames per second");
   EXPECT_EQ(chosen({"YUYV", 0, 0, 0}), "640x480 YUYV at 30 frames per second");
   EXPECT_EQ(chosen({"YUYV", 1920, 1080, 0}), "1920x1080 YUYV at 5 frames per second");
-  EXPECT_THAT(chosen({"H264", 0, 0, 0}), HasSubstr("no such readable format"));
+  EXPECT_EQ(chosen({"H264", 0, 0, 0}), "3840x2160 H264 at 30 frames per second");
+  EXPECT_THAT(chosen({"BA81", 0, 0, 0}), HasSubstr("no such readable format"));
 }
 
 TEST(V4l2Camera, AutomaticModesThatAreOnAreNamedUntilTheLockSwitchesThemOff) {

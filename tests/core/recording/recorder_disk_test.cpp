@@ -101,7 +101,7 @@ std::unique_ptr<Recorder> long_and_removed(const TemporaryFolder& folder, std::u
   for (std::uint32_t i = 0; i < count; ++i) {
     auto frame = std::make_shared<Frame>(*image);
     frame->sequence = i;
-    frame->time_ns += kPeriodNs * i;
+    *frame->time_ns += kPeriodNs * i;
     EXPECT_TRUE(recorder->add_waiting(std::move(frame)));
   }
   while (recorder->counts().recorded < count) std::this_thread::yield();

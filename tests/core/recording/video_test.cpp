@@ -1,6 +1,7 @@
 // What goes into a video comes out of it, by our own reader and by others'.
 #include "core/base/atomic_file.h"
 #include "core/recording/journal.h"
+#include "core/recording/matroska.h"
 #include "core/recording/video_file.h"
 #include "tests/core/recording/recording_frames.h"
 #include "tests/support/temporary_folder.h"
@@ -61,7 +62,7 @@ TEST_P(Video, EveryFrameComesBackExactlyInOrder) {
     const FramePtr truth = camera_frame(i, is_jpeg());
     EXPECT_EQ(different_pixels((*frame)->grey, truth->grey), 0U) << i;
     EXPECT_EQ((*frame)->name, fmt::format("frame_{:05}", i));
-    EXPECT_NEAR(static_cast<double>((*frame)->time_ns), kPeriodNs * i, 0.5e6 + 1) << i;
+    EXPECT_NEAR(static_cast<double>(*(*frame)->time_ns), kPeriodNs * i, 0.5e6 + 1) << i;
     ASSERT_EQ((*frame)->jpeg != nullptr, is_jpeg());
     if (is_jpeg()) {
       EXPECT_EQ(*(*frame)->jpeg, *truth->jpeg);
@@ -194,7 +195,7 @@ TEST(VideoWriter, TimesThatAreNoneOrGoBackwardsStillMakeAVideo) {
   ASSERT_TRUE(writer->finish().ok());
   auto video = VideoFile::open(folder / "v.mkv");
   std::vector<std::int64_t> times_ms;
-  for (std::size_t i = 0; i < 6; ++i) times_ms.push_back((*video->frame(i))->time_ns / 1'000'000);
+  for (std::size_t i = 0; i < 6; ++i) times_ms.push_back(*(*video->frame(i))->time_ns / 1'000'000);
   EXPECT_THAT(times_ms, testing::ElementsAre(0, 100, 120, 140, 150, 300));
 }
 
@@ -233,7 +234,7 @@ TEST(VideoFile, ReadsOtherPeoplesVideosAsGrey) {
       ASSERT_TRUE(frame.ok()) << c.options << frame.error().sentence();
       EXPECT_NEAR(cv::mean((*frame)->grey)[0], 20 + 4 * static_cast<double>(number), c.tolerance)
           << c.options << " frame " << number;
-      EXPECT_NEAR(static_cast<double>((*frame)->time_ns), 40e6 * static_cast<double>(number), 1e6);
+      EXPECT_NEAR(static_cast<double>(*(*frame)->time_ns), 40e6 * static_cast<double>(number), 1e6);
     }
     fs::remove(file);
   }
@@ -356,8 +357,8 @@ TEST(Journal, TimesAndSequenceOfAVideoComeFromIt) {
   EXPECT_EQ((*video->frame(2))->sequence, 10U);
   EXPECT_EQ((*video->frame(2))->time_ns, camera_frame(10, false)->time_ns);
   EXPECT_EQ((*video->frame(3))->sequence, 11U);
-  EXPECT_NEAR(static_cast<double>((*video->frame(3))->time_ns),
-              static_cast<double>(camera_frame(10, false)->time_ns), 1e6);
+  EXPECT_NEAR(static_cast<double>(*(*video->frame(3))->time_ns),
+              static_cast<double>(*camera_frame(10, false)->time_ns), 1e6);
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ TEST(Source, FolderGivesItsPicturesInNameOrderAndNothingElse) {
   ASSERT_TRUE(source.ok());
   EXPECT_EQ((*source)->count(), 4U);
   EXPECT_FALSE((*source)->is_continuous());
-  EXPECT_THAT(names_of(**source), ElementsAre("B", "a10", "a2", "b"));
+  EXPECT_THAT(names_of(**source), ElementsAre("B", "a2", "a10", "b"));
 }
 
 TEST(Source, PicturesComeInTheOrderGiven) {
@@ -90,6 +90,8 @@ TEST(Source, NumberedPicturesFollowEachOtherInTime) {
   };
   EXPECT_TRUE(is_continuous({"frame_00000.png", "frame_00001.png", "frame_00002.png"}));
   EXPECT_TRUE(is_continuous({"009.png", "010.png"}));
+  EXPECT_TRUE(is_continuous({"9.png", "10.png"}));
+  EXPECT_FALSE(is_continuous({"9.png", "010.png"}));
   EXPECT_FALSE(is_continuous({"frame_00000.png", "frame_00002.png"}));
   EXPECT_FALSE(is_continuous({"press_000.png", "other_001.png"}));
   EXPECT_FALSE(is_continuous({"frame_00000.png", "frame_00001.bmp"}));

@@ -21,7 +21,7 @@ std::shared_ptr<const LiveView> view_at(std::uint64_t number, double time_ms) {
 }
 
 double time_ms(const std::shared_ptr<const LiveView>& view) {
-  return 1e-6 * static_cast<double>(view->result.frame->time_ns);
+  return 1e-6 * static_cast<double>(*view->result.frame->time_ns);
 }
 
 std::optional<ViewPair> added(ViewPairing& pairing, std::size_t which, std::uint64_t number,

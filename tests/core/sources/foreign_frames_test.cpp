@@ -1,0 +1,323 @@
+// Videos and images as other programs make them: read right, with a sentence for what was assumed.
+#include "core/image/image_file.h"
+#include "core/open/open_source.h"
+#include "core/recording/video_file.h"
+#include "core/sources/file_source.h"
+#include "tests/core/recording/recording_frames.h"
+#include "tests/support/temporary_folder.h"
+
+#include <clocale>
+#include <cstdlib>
+#include <fstream>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+namespace alltact::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+constexpr int kFrames = 24;
+
+/// A video of ffmpeg's, 64 x 48. `source`: ffmpeg's filters behind a black picture; `options`: of
+/// the encoder. False: this ffmpeg cannot.
+bool make_video(const fs::path& file, const std::string& source, const std::string& options) {
+  output_of(
+      fmt::format("ffmpeg -v quiet -nostdin -y -f lavfi -i \"color=c=black:s=64x48:r=25,{}\" "
+                  "-frames:v {} {} '{}' </dev/null",
+                  source, kFrames, options, file.string()));
+  std::error_code ignored;
+  return fs::file_size(file, ignored) > 0 && !ignored;
+}
+
+std::string texts_of(const std::vector<Message>& remarks) {
+  std::string text;
+  for (const Message& remark : remarks) text += remark.english() + "\n";
+  return text;
+}
+
+/// Frame n is a flat grey of 30 + 7 n.
+constexpr const char* kGreySteps = "format=gray,geq=lum='30+7*N'";
+/// The same as luma as it is, with a border of level 8.
+constexpr const char* kFullSteps =
+    "format=yuv420p,geq=lum='if(lt(X\\,8)\\,8\\,30+7*N)':cb=128:cr=128";
+
+struct Foreign {
+  const char* name;     // of the file
+  const char* source;   // filters
+  const char* options;  // of the encoder
+  double tolerance;     // grey levels
+  const char* remark;   // part of what is said; "": nothing is
+};
+
+class ForeignVideo : public testing::TestWithParam<Foreign> {};
+
+TEST_P(ForeignVideo, IsReadInOrderWithItsLevelsAndTimes) {
+  const Foreign& made = GetParam();
+  const TemporaryFolder folder;
+  const fs::path file = folder / made.name;
+  if (!make_video(file, made.source, made.options))
+    GTEST_SKIP() << "ffmpeg is not here or lacks a codec: " << made.options;
+  auto source = open_source({file});
+  ASSERT_TRUE(source.ok()) << source.error().sentence();
+  ASSERT_EQ((*source)->count(), static_cast<std::size_t>(kFrames));
+  std::optional<std::int64_t> first_ns;
+  for (int i = 0; i < kFrames; ++i) {
+    const auto frame = (*source)->next();
+    ASSERT_TRUE(frame.ok()) << frame.error().sentence();
+    EXPECT_NEAR((*frame)->grey.at<std::uint8_t>(24, 40), 30 + 7 * i, made.tolerance) << i;
+    ASSERT_TRUE((*frame)->time_ns.has_value());  // 0 is a time
+    if (!first_ns) first_ns = (*frame)->time_ns;
+    EXPECT_NEAR(1e-6 * static_cast<double>(*(*frame)->time_ns - *first_ns), 40.0 * i, 1.1) << i;
+  }
+  const std::string said = texts_of((*source)->remarks());
+  if (std::string(made.remark).empty()) {
+    EXPECT_EQ(said, "");
+  } else {
+    EXPECT_THAT(said, HasSubstr(made.remark));
+  }
+  // Backwards, too.
+  auto video = VideoFile::open(file);
+  for (const int number : {23, 11, 12, 5, 4, 0, 17})
+    EXPECT_NEAR((*video->frame(static_cast<std::size_t>(number)))->grey.at<std::uint8_t>(24, 40),
+                30 + 7 * number, made.tolerance)
+        << number;
+}
+
+constexpr const char* kNoRange = "does not state the range";
+
+INSTANTIATE_TEST_SUITE_P(
+    Made, ForeignVideo,
+    testing::Values(
+        // Order without presentation times.
+        Foreign{"h264.avi", kGreySteps, "-c:v libx264 -qp 0 -bf 2 -g 12 -pix_fmt yuvj420p", 1.2,
+                ""},
+        Foreign{"pyramid.avi", kGreySteps,
+                "-c:v libx264 -qp 0 -bf 4 -b-pyramid normal -g 100 -pix_fmt yuvj420p", 1.2, ""},
+        Foreign{"mpeg4.avi", kGreySteps, "-c:v mpeg4 -q:v 1 -bf 2 -g 12", 2.0, kNoRange},
+        Foreign{"mpeg2.mpg", kGreySteps, "-c:v mpeg2video -q:v 1 -bf 2 -g 12", 2.5, ""},
+        Foreign{"open.ts", kGreySteps,
+                "-c:v libx264 -qp 0 -bf 2 -g 8 -x264-params open-gop=1 -pix_fmt yuvj420p", 1.2, ""},
+        // Names and containers.
+        Foreign{"clip.mov", kGreySteps, "-c:v libx264 -qp 0 -bf 2 -pix_fmt yuvj420p", 1.2, ""},
+        Foreign{"clip.M4V", kGreySteps, "-c:v libx264 -qp 0 -pix_fmt yuvj420p -f ipod", 1.2, ""},
+        Foreign{"CLIP.AVI", kGreySteps, "-c:v ffv1 -pix_fmt gray", 0, ""},
+        Foreign{"clip", kGreySteps, "-c:v ffv1 -pix_fmt gray -f matroska", 0, ""},
+        Foreign{"a:b.mkv", kGreySteps, "-c:v ffv1 -pix_fmt gray", 0, ""},
+        Foreign{"clip.webm", kGreySteps, "-c:v libvpx-vp9 -lossless 1 -pix_fmt yuv420p", 1.2, ""},
+        Foreign{"clip.y4m", kGreySteps, "-pix_fmt gray -strict -1", 0, ""},
+        Foreign{"clip.flv", kGreySteps, "-c:v libx264 -qp 0 -bf 2 -pix_fmt yuvj420p", 1.2, ""},
+        // Range and depth of grey.
+        Foreign{"full.mp4", kFullSteps, "-c:v libx264 -qp 0 -bf 2", 0, "0 to 255 was assumed"},
+        Foreign{"narrow.mp4", kGreySteps, "-c:v libx264 -qp 0 -pix_fmt yuv420p", 1.2,
+                "16 to 235 was assumed"},
+        Foreign{"of16.mkv", "format=gray16le,geq=lum='(30+7*N)*16'", "-c:v ffv1 -pix_fmt gray16le",
+                0, "of its 16 bits per pixel only the lower 12 are in use"},
+        Foreign{"all16.mkv", "format=gray16le,geq=lum='(30+7*N)*256+255'",
+                "-c:v ffv1 -pix_fmt gray16le", 0, ""},
+        Foreign{"of10.mkv", "format=gray10le,geq=lum='(30+7*N)*4+3'", "-c:v ffv1 -pix_fmt gray10le",
+                0, ""}),
+    [](const testing::TestParamInfo<Foreign>& info) {
+      std::string name = info.param.name;
+      std::erase_if(name, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; });
+      return name;
+    });
+
+/// What is said about a video.
+std::string remarks_on(const std::string& source, const std::string& options) {
+  const TemporaryFolder folder;
+  if (!make_video(folder / "v.mov", source, options)) return "none was made";
+  const auto video = VideoFile::open(folder / "v.mov");
+  return video ? texts_of(video->remarks()) : video.error().sentence();
+}
+
+TEST(ForeignVideo, WhatMakesItHardToMeasureIsSaid) {
+  const std::string lossless = "-c:v libx264 -qp 0 -pix_fmt yuvj420p";
+  if (remarks_on(kGreySteps, lossless) == "none was made") GTEST_SKIP() << "ffmpeg is not here";
+  EXPECT_THAT(remarks_on("format=gray,geq=lum=25", lossless), HasSubstr("nearly black"));
+  EXPECT_THAT(remarks_on("format=gray,geq=lum='if(lt(X\\,32)\\,255\\,90)'", lossless),
+              HasSubstr("50 % of it is saturated"));
+  EXPECT_THAT(
+      remarks_on("format=yuv444p,geq=lum=100:cb=60:cr=180", "-c:v libx264 -qp 0 -pix_fmt yuv444p"),
+      HasSubstr("it is in colour"));
+  const TemporaryFolder folder;
+  ASSERT_TRUE(make_video(folder / "v.mov", kGreySteps, lossless));
+  output_of(
+      fmt::format("cd '{}' && ffmpeg -v quiet -nostdin -i v.mov -c copy -metadata:s:v rotate=90 "
+                  "turned.mov </dev/null",
+                  folder.path().string()));
+  EXPECT_THAT(texts_of(VideoFile::open(folder / "turned.mov")->remarks()),
+              HasSubstr("turn it by 90"));
+  EXPECT_EQ(remarks_on(kGreySteps, lossless), "");
+}
+
+TEST(ForeignVideo, TextsAndListsOfFilesAreNoVideos) {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "notes.txt") << "# Notes\n" << std::string(500, 'x') << "\n";
+  std::ofstream(folder / "list.m3u8") << "#EXTM3U\n#EXTINF:10,\nhttp://127.0.0.1/v.ts\n";
+  for (const char* name : {"notes.txt", "list.m3u8"}) {
+    const auto source = open_source({folder / name});
+    ASSERT_FALSE(source.ok()) << name;
+    EXPECT_THAT(source.error().sentence(), HasSubstr("neither an image"));
+  }
+}
+
+/// A locale of glibc, made for this test; nullptr where it cannot be made.
+const char* set_locale(const TemporaryFolder& folder, const std::string& name) {
+  const fs::path made = folder / (name + ".UTF-8");
+  output_of(fmt::format("localedef -i {} -f UTF-8 '{}' 2>/dev/null", name, made.string()));
+  ::setenv("LOCPATH", folder.path().c_str(), 1);
+  return std::setlocale(LC_ALL, made.filename().c_str());
+}
+
+TEST(ForeignVideo, NamesAreReadAlikeInEveryLocale) {
+  const TemporaryFolder folder, locales;
+  if (!make_video(folder / "V.AVI", kGreySteps, "-c:v ffv1 -pix_fmt gray"))
+    GTEST_SKIP() << "ffmpeg is not here";
+  cv::imwrite(folder / "i.png", cv::Mat(8, 8, CV_8UC1, cv::Scalar(90)));
+  fs::rename(folder / "i.png", folder / "I.TIF.PNG");
+  for (const char* name : {"tr_TR", "de_DE", "zh_CN"}) {
+    if (set_locale(locales, name) == nullptr) {
+      std::setlocale(LC_ALL, "C");
+      GTEST_SKIP() << "localedef makes no locale " << name;
+    }
+    EXPECT_TRUE(open_source({folder / "V.AVI"}).ok()) << name;
+    EXPECT_TRUE(open_source({folder / "I.TIF.PNG"}).ok()) << name;
+    std::setlocale(LC_ALL, "C");
+  }
+}
+
+std::vector<std::string> names_of(Source& source) {
+  std::vector<std::string> names;
+  for (auto frame = source.next(); frame && *frame; frame = source.next())
+    names.push_back((*frame)->name);
+  return names;
+}
+
+TEST(ForeignImages, NumbersInNamesCountByTheirValues) {
+  const TemporaryFolder folder;
+  const cv::Mat image(8, 8, CV_8UC1, cv::Scalar(90));
+  std::vector<fs::path> by_letters;
+  for (const char* name : {"f_1", "f_10", "f_100", "f_11", "f_2", "f_9"}) {
+    by_letters.push_back(folder / fmt::format("{}.png", name));
+    cv::imwrite(by_letters.back().string(), image);
+  }
+  const auto by_value = ElementsAre("f_1", "f_2", "f_9", "f_10", "f_11", "f_100");
+  EXPECT_THAT(names_of(**open_source({folder.path()})), by_value);
+  EXPECT_THAT(names_of(**open_source(by_letters)), by_value);
+  // An order that is no shell's is meant.
+  std::swap(by_letters[0], by_letters[4]);
+  EXPECT_THAT(names_of(**open_source(by_letters)),
+              ElementsAre("f_2", "f_10", "f_100", "f_11", "f_1", "f_9"));
+  EXPECT_TRUE(is_before("a/press_9.png", "a/press_010.png"));
+  EXPECT_TRUE(is_before("99999999999999999999998.png", "99999999999999999999999.png"));
+  EXPECT_FALSE(is_before("x_1.png", "x_1.png"));
+}
+
+TEST(ForeignImages, SixteenBitsCountByTheBrightestImage) {
+  const TemporaryFolder folder;
+  const auto write = [&](const char* name, int value) {
+    cv::Mat image(48, 64, CV_16UC1, cv::Scalar(value));
+    image.at<std::uint16_t>(0, 0) = 200;
+    cv::imwrite(folder / name, image);
+  };
+  write("dark.png", 900);  // alone it would look like 10 bits
+  write("light.png", 3600);
+  auto source = open_source({folder.path()});
+  for (const int level : {900 >> 4, 3600 >> 4}) {
+    const auto frame = (*source)->next();
+    ASSERT_TRUE(frame.ok()) << frame.error().sentence();
+    EXPECT_EQ((*frame)->grey.at<std::uint8_t>(20, 20), level);
+  }
+  EXPECT_THAT(texts_of((*source)->remarks()), HasSubstr("only the lower 12 are in use"));
+}
+
+std::string read_refusal(const fs::path& file) {
+  const auto read = read_grey_image(file);
+  return read ? "" : read.error().sentence();
+}
+
+TEST(ForeignImages, AnOpaqueAlphaChannelIsNone) {
+  const TemporaryFolder folder;
+  cv::Mat image(48, 64, CV_8UC4, cv::Scalar(90, 90, 90, 255));
+  cv::imwrite(folder / "opaque.png", image);
+  const auto grey = read_grey_image(folder / "opaque.png");
+  ASSERT_TRUE(grey.ok()) << grey.error().sentence();
+  EXPECT_EQ(cv::norm(*grey, cv::Mat(48, 64, CV_8UC1, cv::Scalar(90)), cv::NORM_INF), 0);
+  image.at<cv::Vec4b>(3, 3)[3] = 254;
+  cv::imwrite(folder / "not.png", image);
+  EXPECT_THAT(read_refusal(folder / "not.png"), HasSubstr("transparent"));
+}
+
+TEST(ForeignImages, ATagThatAsksForARotationIsNamed) {
+  const TemporaryFolder folder;
+  std::vector<std::uint8_t> jpeg;
+  cv::imencode(".jpg", cv::Mat(48, 64, CV_8UC1, cv::Scalar(90)), jpeg);
+  // Exif with one entry: orientation 6.
+  const std::string exif(
+      "\xFF\xE1\0\x22"
+      "Exif\0\0MM\0*\0\0\0\x08\0\x01\x01\x12\0\x03\0\0\0\x01\0\x06\0\0\0\0\0\0",
+      36);
+  jpeg.insert(jpeg.begin() + 2, exif.begin(), exif.end());
+  std::ofstream(folder / "phone.jpg", std::ios::binary)
+      .write(reinterpret_cast<const char*>(jpeg.data()), std::ssize(jpeg));
+  auto source = open_source({folder / "phone.jpg"});
+  const auto frame = (*source)->next();
+  ASSERT_TRUE(frame.ok()) << frame.error().sentence();
+  EXPECT_EQ((*frame)->grey.size(), cv::Size(64, 48));
+  EXPECT_THAT(texts_of((*source)->remarks()), HasSubstr("Exif orientation 6"));
+}
+
+/// A chunk of a PNG file.
+std::string chunk(const std::string& name, const std::string& data) {
+  std::string content = name + data;
+  std::uint32_t sum = 0xFFFFFFFFU;
+  for (const char c : content) {
+    sum ^= static_cast<unsigned char>(c);
+    for (int bit = 0; bit < 8; ++bit) sum = (sum & 1U) != 0 ? sum >> 1U ^ 0xEDB88320U : sum >> 1U;
+  }
+  const auto number = [](std::uint32_t value) {
+    std::string bytes;
+    for (const unsigned shift : {24U, 16U, 8U, 0U})
+      bytes.push_back(static_cast<char>(value >> shift & 0xFFU));
+    return bytes;
+  };
+  return number(static_cast<std::uint32_t>(data.size())) + content + number(~sum);
+}
+
+TEST(ForeignImages, LibrariesOfOthersWriteNothing) {
+  const TemporaryFolder folder;
+  std::vector<std::uint8_t> png, jpeg;
+  cv::Mat image(48, 64, CV_8UC1);
+  cv::randu(image, 60, 200);
+  cv::imencode(".png", image, png);
+  std::string odd(png.begin(), png.begin() + 33);
+  odd += chunk("iCCP", "profile with nothing in it") + chunk("tIME", "x");
+  odd.append(png.begin() + 33, png.end());
+  std::ofstream(folder / "odd.png", std::ios::binary) << odd;
+  cv::imencode(".jpg", image, jpeg, {cv::IMWRITE_JPEG_RST_INTERVAL, 4});
+  std::string stray;
+  for (std::size_t i = 0; i < jpeg.size(); ++i) {
+    if (jpeg[i] == 0xFF && i + 1 < jpeg.size() && jpeg[i + 1] >= 0xD0 && jpeg[i + 1] <= 0xD7)
+      stray.append(2, '\0');
+    stray.push_back(static_cast<char>(jpeg[i]));
+  }
+  std::ofstream(folder / "stray.jpg", std::ios::binary) << stray;
+  testing::internal::CaptureStderr();
+  const auto read = read_grey_image(folder / "odd.png"),
+             other = read_grey_image(folder / "stray.jpg");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  ASSERT_TRUE(read.ok() && other.ok());
+  EXPECT_EQ(cv::norm(*read, image, cv::NORM_INF), 0);
+  EXPECT_EQ(cv::norm(*other, cv::imdecode(jpeg, cv::IMREAD_GRAYSCALE), cv::NORM_INF), 0);
+}
+
+}  // namespace
+}  // namespace alltact::test
