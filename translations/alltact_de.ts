@@ -1051,8 +1051,12 @@
 <context>
     <name>alltact::FileFilter</name>
     <message>
-        <source>Videos (%1);;All files (*)</source>
-        <translation>Videos (%1);;Alle Dateien (*)</translation>
+        <source>Videos (%1)</source>
+        <translation>Videos (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
     </message>
 </context>
 <context>

@@ -1042,8 +1042,12 @@
 <context>
     <name>alltact::FileFilter</name>
     <message>
-        <source>Videos (%1);;All files (*)</source>
-        <translation>视频 (%1);;所有文件 (*)</translation>
+        <source>Videos (%1)</source>
+        <translation>视频 (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>所有文件 (*)</translation>
     </message>
 </context>
 <context>
@@ -11102,7 +11106,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>a table whose head names u0, v0, ..., fx_n, fy_n; alltact force --collect makes one</source>
-        <translation>表头含 u0、v0、...、fx_n、fy_n 的表格；alltact force --collect 可生成</translation>
+        <translation>表头含 u0、v0、…、fx_n、fy_n 的表格；alltact force --collect 可生成</translation>
     </message>
     <message>
         <source>the gauge&apos;s file holds no reading</source>
@@ -14365,7 +14369,7 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
     <message>
         <source>the size [width, height] of the images that were calibrated</source>
-        <translation>所标定图像的尺寸 [宽, 高]</translation>
+        <translation>所标定图像的尺寸 [宽、高]</translation>
     </message>
     <message>
         <source>holds parameters of a ROS node, without focal lengths</source>

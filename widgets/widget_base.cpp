@@ -129,8 +129,10 @@ QString video_filter(const QString& more) {
     for (const QString& one : {QString::fromLatin1(ending), QString::fromLatin1(ending).toUpper()})
       patterns << QStringLiteral("*.") + one;
   if (!more.isEmpty()) patterns << more;
-  return QCoreApplication::translate("alltact::FileFilter", "Videos (%1);;All files (*)")
-      .arg(patterns.join(QLatin1Char(' ')));
+  const QString videos = QCoreApplication::translate("alltact::FileFilter", "Videos (%1)")
+                             .arg(patterns.join(QLatin1Char(' ')));
+  return videos + QLatin1String(";;") +
+         QCoreApplication::translate("alltact::FileFilter", "All files (*)");
 }
 
 void ask_for_file(QWidget* parent, const QString& title, const QString& filter, const UsePath& use,

@@ -79,7 +79,7 @@ class Scanner {
   }
 
   void skip_letter() {
-    at_ += source_[at_ + 1] == '\\' ? 2 : 1;
+    at_ += source_[at_ + 1] == '\\' ? 3 : 1;  // a quote may be escaped
     skip_to("'");
     is_after_text_ = false;
   }

@@ -117,7 +117,7 @@ TEST(CameraList, SaysWhatIsWrongWithThoseThatCannotBeUsed) {
   closed.fail_open(EACCES, 100);
   FakeCamera& busy = cameras.add(at("/dev/video1"));
   FakeOptions strange = at("/dev/video2");
-  strange.fourccs = {V4L2_PIX_FMT_H264};
+  strange.fourccs = {V4L2_PIX_FMT_HEVC};
   cameras.add(strange);
   FakeOptions planes = at("/dev/video3");
   planes.is_multi_planar = true;
