@@ -144,11 +144,13 @@ inline void set_opencv_threads([[maybe_unused]] int threads) {
 void warn_of_other_settings(const PipelineSettings& stored, const PipelineSettings& requested,
                             Console& console);
 
-/// Prints what was assumed about a source's frames, and adds it to the answer.
-inline void report_remarks(const Source& source, Console& console) {
+/// Prints what was assumed about a source's frames, from the remark at index `from` on, and adds it
+/// to the answer. Returns the number of all remarks: those on images come while these are read.
+inline std::size_t report_remarks(const Source& source, Console& console, std::size_t from = 0) {
   const std::vector<Message> remarks = source.remarks();
-  for (const Message& remark : remarks) console.warn(remark.english());
+  for (std::size_t i = from; i < remarks.size(); ++i) console.warn(remarks[i].english());
   if (!remarks.empty()) console.answer()["source_remarks"] = in_english(remarks);
+  return remarks.size();
 }
 
 // Remarks of a camera while a command reads it.

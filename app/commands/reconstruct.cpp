@@ -437,7 +437,7 @@ Status run_reconstruct(const ReconstructOptions& options, Console& console) {
   how.job = &console.job();
   auto source = open_source(options.inputs, how);
   if (!source) return source.error();
-  report_remarks(**source, console);
+  const std::size_t reported = report_remarks(**source, console);
   auto pipelines = make_pipelines(**finger, options, console.job());
   if (!pipelines) return pipelines.error();
   if (options.live)
@@ -450,6 +450,7 @@ Status run_reconstruct(const ReconstructOptions& options, Console& console) {
   const bool is_continuous = (*source)->is_continuous();
   const std::size_t count = (*source)->count().value_or(0);
   Status status = reconstruct_all(**source, *pipelines, options, *frames, progress, console);
+  report_remarks(**source, console, reported);
   if (!status) return status;
   if (status = sync_disk_of(options.folder); !status) return status;
   const Path results =

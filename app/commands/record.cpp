@@ -408,7 +408,8 @@ Status run_record(const RecordOptions& options, Console& console) {
   }
   auto opened = open_source(options.inputs, how);
   if (!opened) return opened.error();
-  report_remarks(**opened, console);
+  const Source& frames = **opened;
+  const std::size_t reported = report_remarks(frames, console);
   const CameraRemarks remarks(**opened);
   auto source = lit(std::move(*opened), options.light);
   if (!source) return source.error();
@@ -421,6 +422,7 @@ Status run_record(const RecordOptions& options, Console& console) {
   if (button) return record_by_button(reading, options, gauge->get(), console);
   const Status status = record_one(reading, nullptr, options.output, options, gauge->get(),
                                    console.answer(), console);
+  report_remarks(frames, console, reported);
   console.answer()["unreadable"] = reading.unreadable();
   return status ? all_was_readable(reading, options) : status;
 }

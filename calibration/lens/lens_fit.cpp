@@ -5,6 +5,7 @@
 #include "core/numerics/linear_algebra.h"
 #include "core/numerics/median.h"
 
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -334,6 +335,7 @@ Eigen::Matrix<double, 2, 5> by_coefficients(CameraModel model, const Eigen::Vect
 }  // namespace
 
 Eigen::VectorXd lens_numbers(const CameraParameters& lens) {
+  assert(std::ssize(lens.distortion) <= coefficient_count(lens.model));  // fits have no more
   Eigen::VectorXd numbers = Eigen::VectorXd::Zero(4 + coefficient_count(lens.model));
   numbers.head<4>() << lens.fx_px, lens.fy_px, lens.cx_px, lens.cy_px;
   for (std::size_t i = 0; i < lens.distortion.size(); ++i)

@@ -1,5 +1,7 @@
 #include "core/image/av_frame.h"
 
+#include "core/image/grey_range.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -179,9 +181,7 @@ int LevelsLook::used_bits() const {
   if (depth_ <= 8 || is_luma_) return depth_;
   std::size_t brightest = counts_.size() - 1;
   while (brightest > 0 && counts_[brightest] == 0) --brightest;
-  for (const int bits : {8, 10, 12, 14})
-    if (bits < depth_ && brightest < std::size_t{1} << bits) return bits;
-  return depth_;
+  return std::min(depth_, bits_in_use(static_cast<int>(brightest), 8));
 }
 
 GreyLevels LevelsLook::levels() const {
@@ -198,7 +198,7 @@ GreyLevels LevelsLook::levels() const {
 
 std::vector<Message> LevelsLook::remarks() const {
   constexpr double kDark = 40, kSaturated = 254;
-  constexpr double kMuchSaturated = 1.0 / 3, kColour = 0.12;
+  constexpr double kMuchSaturated = 1.0 / 3;
   if (pixels_ == 0) return {};
   std::vector<Message> remarks;
   const GreyLevels levels = this->levels();
@@ -222,7 +222,7 @@ std::vector<Message> LevelsLook::remarks() const {
   if (white > kMuchSaturated)
     remarks.push_back(
         en::say("{:.0f} % of it is saturated; reduce exposure or light", 100 * white));
-  if (const double colour = grey_ > 0 ? colour_ / grey_ : 0; colour > kColour)
+  if (const double colour = grey_ > 0 ? colour_ / grey_ : 0; colour > kMaxColour)
     remarks.push_back(
         en::say("it is in colour: its channels differ from grey by {:.0f} %; only "
                 "its brightness is used",

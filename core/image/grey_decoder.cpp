@@ -1,6 +1,7 @@
 #include "core/image/grey_decoder.h"
 
 #include "core/image/av_frame.h"
+#include "core/image/grey_range.h"
 #include "core/image/jpeg.h"
 
 #include <algorithm>
@@ -109,8 +110,8 @@ GreyDecoder& GreyDecoder::operator=(GreyDecoder&&) noexcept = default;
 
 /// Cameras name Y16 what holds 10 to 16 bits (the kernel's documentation allows it): as many are
 /// taken to be in use as the brightest pixel so far needs.
-int GreyDecoder::bits_in_use(PixelFormat format, int width_px, int height_px,
-                             std::size_t stride_bytes, std::span<const std::uint8_t> bytes) {
+int GreyDecoder::bits_of(PixelFormat format, int width_px, int height_px, std::size_t stride_bytes,
+                         std::span<const std::uint8_t> bytes) {
   const int named = layout_of(format)->bits;
   if (format != PixelFormat::kY16 || y16_bits_ == named) return named;
   int brightest = 0;
@@ -119,8 +120,7 @@ int GreyDecoder::bits_in_use(PixelFormat format, int width_px, int height_px,
     for (int u = 0; u < width_px; ++u)
       brightest = std::max(brightest, row[2 * u] | row[2 * u + 1] << 8);
   }
-  int bits = 10;
-  while (brightest >= 1 << bits) bits += 2;
+  const int bits = bits_in_use(brightest, 10);
   if (bits > y16_bits_) {
     y16_bits_ = bits;
     if (bits < named)
@@ -146,7 +146,7 @@ Result<cv::Mat> GreyDecoder::operator()(PixelFormat format, int width_px, int he
   if (bytes.size() < needed)
     return damaged_packet(en::say("a frame arrived with {} of {} bytes", bytes.size(), needed));
   const int bits =
-      layout.bits > 8 ? bits_in_use(format, width_px, height_px, stride, bytes) : layout.bits;
+      layout.bits > 8 ? bits_of(format, width_px, height_px, stride, bytes) : layout.bits;
   cv::Mat grey(height_px, width_px, CV_8UC1);
   for (int v = 0; v < height_px; ++v) {
     const std::uint8_t* from = bytes.data() + stride * static_cast<std::size_t>(v);

@@ -72,8 +72,8 @@ class GreyDecoder {
                                             std::span<const std::uint8_t> bytes);
   [[nodiscard]] Result<cv::Mat> decode_h264(int width_px, int height_px,
                                             std::span<const std::uint8_t> bytes);
-  [[nodiscard]] int bits_in_use(PixelFormat format, int width_px, int height_px,
-                                std::size_t stride_bytes, std::span<const std::uint8_t> bytes);
+  [[nodiscard]] int bits_of(PixelFormat format, int width_px, int height_px,
+                            std::size_t stride_bytes, std::span<const std::uint8_t> bytes);
 
   std::unique_ptr<Compressed> compressed_;
   int y16_bits_ = 0;  // in use so far

@@ -20,4 +20,16 @@ constexpr int kTooDarkBelow = 8;
   return std::clamp<double>(kNoiseSds * noise_sd, kTooDarkBelow, kClippedFrom);
 }
 
+/// Bits that an image uses of up to 16, by its brightest value: as few of `at_least`, two more, ...
+/// as hold it. at_least: 8 or 10.
+[[nodiscard]] constexpr int bits_in_use(int brightest, int at_least) {
+  int bits = at_least;
+  while (brightest >= 1 << bits) bits += 2;
+  return bits;
+}
+
+/// An image is coloured where the mean distance of its channels from grey exceeds this part of its
+/// mean grey.
+constexpr double kMaxColour = 0.12;
+
 }  // namespace alltact

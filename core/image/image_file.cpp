@@ -1,6 +1,7 @@
 #include "core/image/image_file.h"
 
 #include "core/base/atomic_file.h"
+#include "core/image/grey_range.h"
 #include "core/image/jpeg.h"
 
 #include <algorithm>
@@ -145,6 +146,28 @@ Result<ImageHeader> tiff_header(std::string_view content) {
   return header;
 }
 
+constexpr std::string_view kPngSignature = "\x89PNG\r\n\x1A\n"sv;
+
+/// A part of a PNG file: length, name, data, check sum.
+struct PngChunk {
+  std::string_view name, data, all;
+};
+
+/// Those up to the first incomplete one.
+std::vector<PngChunk> png_chunks(std::string_view png) {
+  constexpr std::size_t kAround = 12;  // of all but the data
+  std::vector<PngChunk> chunks;
+  Bytes bytes(png, true);
+  for (std::size_t at = kPngSignature.size(); at + kAround <= png.size();) {
+    const std::size_t length = bytes.u32(at);
+    if (length > png.size() - at - kAround) break;
+    chunks.push_back(
+        {png.substr(at + 4, 4), png.substr(at + 8, length), png.substr(at, kAround + length)});
+    at += kAround + length;
+  }
+  return chunks;
+}
+
 Result<ImageHeader> png_header(std::string_view content) {
   Bytes bytes(content, true);
   ImageHeader header{ImageFormat::kPng};
@@ -157,19 +180,17 @@ Result<ImageHeader> png_header(std::string_view content) {
   const std::uint32_t colour_type = bytes.u8(25);
   header.channels = (colour_type & 2U) != 0 ? 3 : 1;
   header.has_transparency = (colour_type & 4U) != 0;
-  for (std::size_t at = 8;;) {  // length, name, data, check sum
-    const std::size_t length = bytes.u32(at);
-    if (bytes.is_past_end() || content.size() - at < 12 || content.size() - at - 12 < length)
-      return truncated();
-    const std::string_view name = content.substr(at + 4, 4);
+  for (const PngChunk& chunk : png_chunks(content)) {
     // Before the decoder, which prints its own messages on the terminal.
-    if (bytes.u32(at + 8 + length) != png_check_sum(content.substr(at + 4, 4 + length)))
+    const auto check_sum =
+        static_cast<std::size_t>(chunk.data.data() - content.data()) + chunk.data.size();
+    if (bytes.u32(check_sum) != png_check_sum(chunk.all.substr(4, 4 + chunk.data.size())))
       return damaged_image(en::say("a check sum is wrong"));
-    if (name == "tRNS") header.has_transparency = true;
-    if (name == "eXIf") header.orientation = exif_orientation(content.substr(at + 8, length));
-    if (name == "IEND") return header;
-    at += 12 + length;
+    if (chunk.name == "tRNS") header.has_transparency = true;
+    if (chunk.name == "eXIf") header.orientation = exif_orientation(chunk.data);
+    if (chunk.name == "IEND") return header;
   }
+  return truncated();
 }
 
 /// Offset of the marker behind the entropy-coded data that begins at `at`.
@@ -279,7 +300,7 @@ Result<ImageHeader> pgm_header(std::string_view content) {
 Result<ImageHeader> image_header(std::string_view content) {
   if (content.empty())
     return Error{en::say("the file is empty"), "", en::say("copy or record it again")};
-  if (content.starts_with("\x89PNG\r\n\x1A\n"sv)) return png_header(content);
+  if (content.starts_with(kPngSignature)) return png_header(content);
   if (content.starts_with("\xFF\xD8\xFF"sv)) return jpeg_header(content);
   if (content.starts_with("BM")) return bmp_header(content);
   if (content.starts_with("P5") || content.starts_with("P6")) return pgm_header(content);
@@ -289,9 +310,7 @@ Result<ImageHeader> image_header(std::string_view content) {
 }
 
 constexpr std::int64_t kMaxSidePx = 16384;
-constexpr double kMaxColour = 0.12;  // mean distance of the channels from grey, relative to the
-                                     // mean grey
-constexpr double kBlack = 4;         // grey level
+constexpr double kBlack = 4;  // grey level
 
 Error at(const std::filesystem::path& file, Error error) {
   error.where = file.string();
@@ -319,15 +338,9 @@ Result<Encoded> read_encoded(const std::filesystem::path& file) {
 
 /// Without the parts that pixels do not depend on, about which libpng writes to the terminal.
 std::string critical_parts(std::string_view png) {
-  constexpr std::size_t kSignature = 8, kAround = 12;
-  std::string parts(png.substr(0, kSignature));
-  for (std::size_t at = kSignature; at + kAround <= png.size();) {
-    const std::size_t length = Bytes(png, true).u32(at);
-    const std::string_view name = png.substr(at + 4, 4);
-    if ((name[0] & 0x20) == 0 || name == "tRNS") parts += png.substr(at, kAround + length);
-    if (name == "IEND") break;
-    at += kAround + length;
-  }
+  std::string parts(kPngSignature);
+  for (const PngChunk& chunk : png_chunks(png))
+    if ((chunk.name[0] & 0x20) == 0 || chunk.name == "tRNS") parts += chunk.all;
   return parts;
 }
 
@@ -388,11 +401,9 @@ void reduce_to_8_bits(cv::Mat& image, ImageLook& look) {
   if (image.depth() != CV_16U) return;
   double brightest = 0;
   cv::minMaxLoc(image.reshape(1), nullptr, &brightest);
-  int bits = std::max(look.bits, 10);
-  while (bits < 16 && brightest >= 1 << bits) bits += 2;
-  look.bits = bits;
+  look.bits = bits_in_use(static_cast<int>(brightest), std::max(look.bits, 10));
   // Truncated, as a camera's are.
-  const double step = 1 << (bits - 8);
+  const double step = 1 << (look.bits - 8);
   image.convertTo(image, CV_8U, 1.0 / step, 0.5 / step - 0.5);
 }
 
@@ -510,9 +521,7 @@ Result<cv::Mat> read_float_image(const std::filesystem::path& file) {
 
 namespace {
 
-constexpr std::string_view kSignature = "\x89PNG\r\n\x1A\n"sv;
 constexpr std::size_t kHeaderEnd = 33;  // signature, then the chunk IHDR
-constexpr std::size_t kAround = 12;     // length, type and check sum of a chunk
 // Keyword; then neither compressed, nor in a language, nor with a translated keyword.
 constexpr std::string_view kBefore = "AllTact settings\0\0\0\0\0"sv;
 
@@ -521,13 +530,6 @@ std::string big_endian(std::uint32_t number) {
   for (const unsigned shift : {24U, 16U, 8U, 0U})
     bytes.push_back(static_cast<char>(number >> shift & 0xFFU));
   return bytes;
-}
-
-std::uint32_t number_at(std::string_view bytes, std::size_t at) {
-  std::uint32_t number = 0;
-  for (std::size_t i = 0; i < 4; ++i)
-    number = number << 8U | static_cast<unsigned char>(bytes[at + i]);
-  return number;
 }
 
 }  // namespace
@@ -543,15 +545,10 @@ std::string with_note(std::string_view png, std::string_view note) {
 }
 
 std::string note_of(std::string_view png) {
-  if (!png.starts_with(kSignature)) return {};
-  for (std::size_t at = kSignature.size(); at + kAround <= png.size();) {
-    const std::size_t length = number_at(png, at);
-    if (length > png.size() - at - kAround) return {};
-    const std::string_view data = png.substr(at + 8, length);
-    if (png.substr(at + 4, 4) == "iTXt" && data.starts_with(kBefore))
-      return std::string(data.substr(kBefore.size()));
-    at += kAround + length;
-  }
+  if (!png.starts_with(kPngSignature)) return {};
+  for (const PngChunk& chunk : png_chunks(png))
+    if (chunk.name == "iTXt" && chunk.data.starts_with(kBefore))
+      return std::string(chunk.data.substr(kBefore.size()));
   return {};
 }
 

@@ -92,14 +92,14 @@ Error damaged(Message what) {
 
 }  // namespace
 
-Result<cv::Mat> JpegDecoder::operator()(std::span<const std::uint8_t> bytes, Channels channels,
-                                        int max_side_px) {
+Result<cv::Mat> JpegDecoder::operator()(std::span<const std::uint8_t> bytes, Channels channels) {
+  constexpr int kMaxSidePx = 16384;
   State& state = *state_;
   if (bytes.size() < 4 || !state.read_header(bytes.data(), bytes.size()))
     return damaged(en::say("this is no JPEG"));
   const auto width = static_cast<int>(state.info.image_width),
              height = static_cast<int>(state.info.image_height);
-  if (width > max_side_px || height > max_side_px)
+  if (width > kMaxSidePx || height > kMaxSidePx)
     return damaged(en::say("its header gives {} x {} px", width, height));
   cv::Mat image(height, width, channels == Channels::kGrey ? CV_8UC1 : CV_8UC3);
   if (!state.read_rows(image.data, image.step, channels) || state.faults > 0)

@@ -23,10 +23,9 @@ class JpegDecoder {
 
   /// The image, CV_8UC1 or CV_8UC3, in its own memory; grey of a coloured JPEG is its luma. Stray
   /// bytes that cost no pixel are no fault: before the end of the image and behind it, and zeros
-  /// before restart marks, as some cameras send. Errors, without `where`: no JPEG, more than a side
-  /// of `max_side_px`, truncated, damaged, no such colours (CMYK).
-  [[nodiscard]] Result<cv::Mat> operator()(std::span<const std::uint8_t> bytes, Channels channels,
-                                           int max_side_px = 16384);
+  /// before restart marks, as some cameras send. Errors, without `where`: no JPEG, a side
+  /// of more than 16384 px, truncated, damaged, no such colours (CMYK).
+  [[nodiscard]] Result<cv::Mat> operator()(std::span<const std::uint8_t> bytes, Channels channels);
   /// Images so far with stray bytes before restart marks.
   [[nodiscard]] std::uint64_t stray() const { return stray_; }
 

@@ -148,6 +148,7 @@ struct VideoFile::State {
   [[nodiscard]] Status decode_from(std::size_t entry, std::size_t number);
   [[nodiscard]] Status add_jpeg(std::size_t number, Frame& frame);
   [[nodiscard]] Status find_order(const Job& job);
+  [[nodiscard]] std::int64_t Entry::*time() const;
   void order_by_time();
   [[nodiscard]] Status order_by_decoding(const Job& job);
   void find_times();
@@ -280,15 +281,20 @@ Status VideoFile::State::find_order(const Job& job) {
   return {};
 }
 
+/// Times at which frames are shown; where the file lacks some, those of decoding.
+std::int64_t Entry::*VideoFile::State::time() const {
+  const bool is_timed = std::none_of(entries.begin(), entries.end(), [](const Entry& entry) {
+    return entry.is_shown && entry.shown_at == AV_NOPTS_VALUE;
+  });
+  return is_timed ? &Entry::shown_at : &Entry::decoded_at;
+}
+
 void VideoFile::State::order_by_time() {
   for (std::size_t i = 0; i < entries.size(); ++i)
     if (entries[i].is_shown) shown.push_back(i);
-  const auto time_of = [&](std::size_t i) {
-    const Entry& entry = entries[i];
-    return entry.shown_at != AV_NOPTS_VALUE ? entry.shown_at : entry.decoded_at;
-  };
-  std::stable_sort(shown.begin(), shown.end(),
-                   [&](std::size_t a, std::size_t b) { return time_of(a) < time_of(b); });
+  std::stable_sort(shown.begin(), shown.end(), [&, of = time()](std::size_t a, std::size_t b) {
+    return entries[a].*of < entries[b].*of;
+  });
 }
 
 /// The decoder knows the order in which frames are shown, also where the file does not.
@@ -317,22 +323,17 @@ Status VideoFile::State::order_by_decoding(const Job& job) {
   return {};
 }
 
-/// Times by the file: those at which frames are shown; where it lacks some, the frames take those
-/// of decoding in order.
+/// Where the decoder changed the order, frames take the times of decoding one after the other.
 void VideoFile::State::find_times() {
   const AVStream& video = *input.video();
-  const auto is_timed = [&](std::int64_t Entry::*time) {
-    return std::all_of(shown.begin(), shown.end(),
-                       [&](std::size_t i) { return entries[i].*time != AV_NOPTS_VALUE; });
-  };
-  const auto time = is_timed(&Entry::shown_at) ? &Entry::shown_at : &Entry::decoded_at;
   std::vector<std::int64_t> steps;
-  for (const std::size_t i : shown) steps.push_back(entries[i].*time);
+  for (const auto of = time(); const std::size_t i : shown) steps.push_back(entries[i].*of);
   std::sort(steps.begin(), steps.end());
+  const bool is_timed = steps.front() != AV_NOPTS_VALUE;
   const double rate = video.avg_frame_rate.num > 0 ? av_q2d(video.avg_frame_rate) : 30.0;
   for (std::size_t i = 0; i < steps.size(); ++i)
-    times_ns.push_back(is_timed(time) ? av_rescale_q(steps[i], video.time_base, {1, 1000000000})
-                                      : std::llround(1e9 * static_cast<double>(i) / rate));
+    times_ns.push_back(is_timed ? av_rescale_q(steps[i], video.time_base, {1, 1000000000})
+                                : std::llround(1e9 * static_cast<double>(i) / rate));
 }
 
 /// At some frames of a video by another program: those that can be decoded alone, if there are

@@ -41,6 +41,16 @@ ProgramRun record(const fs::path& source, const fs::path& video,
   return run_alltact(arguments);
 }
 
+TEST(Record, WhatWasAssumedAboutImagesIsReported) {
+  const TemporaryFolder folder;
+  fs::create_directory(folder / "in");
+  for (const char* name : {"in/1.png", "in/2.png"})
+    cv::imwrite((folder / name).string(), cv::Mat(48, 64, CV_16UC1, cv::Scalar(3600)));
+  const ProgramRun run = record(folder / "in", folder / "v.mkv", {"--pace", "asked"});
+  ASSERT_EQ(run.status, 0) << run.errors;
+  EXPECT_THAT(run.errors, HasSubstr("only the lower 12 are in use"));
+}
+
 TEST(Record, ASceneIsRecordedExactlyAndToldInJson) {
   const TemporaryFolder folder;
   write_scene(folder / "s.yaml");

@@ -1,5 +1,7 @@
 #include "core/image/grey_decoder.h"
 
+#include "tests/core/recording/recording_frames.h"
+
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -136,14 +138,9 @@ TEST(GreyDecoder, ZerosBeforeRestartMarksCostNoPixel) {
   std::vector<std::uint8_t> clean, stray;
   cv::imencode(".jpg", image, clean,
                {cv::IMWRITE_JPEG_QUALITY, 90, cv::IMWRITE_JPEG_RST_INTERVAL, 2});
-  int marks = 0;
-  for (std::size_t i = 0; i < clean.size(); ++i) {
-    const bool is_mark =
-        clean[i] == 0xFF && i + 1 < clean.size() && clean[i + 1] >= 0xD0 && clean[i + 1] <= 0xD7;
-    if (is_mark) stray.insert(stray.end(), 2, 0), ++marks;
-    stray.push_back(clean[i]);
-  }
-  ASSERT_GT(marks, 5);
+  stray = test::with_stray_zeros(clean);
+  const std::size_t marks = (stray.size() - clean.size()) / 2;
+  ASSERT_GT(marks, 5U);
   GreyDecoder decoder;
   const auto grey = decoder(PixelFormat::kMjpeg, kWidth, kHeight, 0, stray);
   ASSERT_TRUE(grey.ok()) << grey.error().sentence();

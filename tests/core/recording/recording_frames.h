@@ -35,6 +35,18 @@ inline std::vector<std::uint8_t> jpeg_of(const cv::Mat& image, int quality = 90)
   return packet;
 }
 
+/// A JPEG with two zeros before each restart mark, as some cameras send.
+inline std::vector<std::uint8_t> with_stray_zeros(const std::vector<std::uint8_t>& jpeg) {
+  std::vector<std::uint8_t> stray;
+  for (std::size_t i = 0; i < jpeg.size(); ++i) {
+    const bool is_mark =
+        jpeg[i] == 0xFF && i + 1 < jpeg.size() && jpeg[i + 1] >= 0xD0 && jpeg[i + 1] <= 0xD7;
+    if (is_mark) stray.insert(stray.end(), 2, 0);
+    stray.push_back(jpeg[i]);
+  }
+  return stray;
+}
+
 constexpr std::int64_t kPeriodNs = 33'333'333;
 
 /// With or without the packet that it came in.

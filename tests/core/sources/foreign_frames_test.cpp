@@ -303,13 +303,9 @@ TEST(ForeignImages, LibrariesOfOthersWriteNothing) {
   odd.append(png.begin() + 33, png.end());
   std::ofstream(folder / "odd.png", std::ios::binary) << odd;
   cv::imencode(".jpg", image, jpeg, {cv::IMWRITE_JPEG_RST_INTERVAL, 4});
-  std::string stray;
-  for (std::size_t i = 0; i < jpeg.size(); ++i) {
-    if (jpeg[i] == 0xFF && i + 1 < jpeg.size() && jpeg[i + 1] >= 0xD0 && jpeg[i + 1] <= 0xD7)
-      stray.append(2, '\0');
-    stray.push_back(static_cast<char>(jpeg[i]));
-  }
-  std::ofstream(folder / "stray.jpg", std::ios::binary) << stray;
+  const std::vector<std::uint8_t> stray = with_stray_zeros(jpeg);
+  std::ofstream(folder / "stray.jpg", std::ios::binary)
+      .write(reinterpret_cast<const char*>(stray.data()), std::ssize(stray));
   testing::internal::CaptureStderr();
   const auto read = read_grey_image(folder / "odd.png"),
              other = read_grey_image(folder / "stray.jpg");
