@@ -3,6 +3,7 @@
 #include "app/console/command_names.h"
 #include "app/console/completions_and_man_pages.h"
 #include "app/console/flags.h"
+#include "app/console/parse.h"
 #include "app/console/studio_arguments.h"
 #include "calibration/finger/measuring_presets.h"
 #include "core/base/guarded.h"
@@ -142,7 +143,7 @@ int run(int argc, char** argv) {
   add_commands(program, chosen, json);
   if (const auto text = generated_text(program, argc, argv)) return print(*text);
   try {
-    program.parse(argc, argv);
+    parse(program, argc, argv);
   } catch (const CLI::ParseError& error) {
     return usage_status(program, error);
   }

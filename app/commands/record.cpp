@@ -4,6 +4,7 @@
 #include "app/console/command_names.h"
 #include "app/console/console.h"
 #include "app/console/flags.h"
+#include "core/base/letters.h"
 #include "core/base/message.h"
 #include "core/base/result.h"
 #include "core/devices/hid_button.h"
@@ -340,7 +341,9 @@ Result<std::unique_ptr<Source>> lit(std::unique_ptr<Source> source, const LightO
   return std::unique_ptr<Source>(std::make_unique<LitSource>(std::move(source), dimmer->setting()));
 }
 
-bool records_images(const RecordOptions& options) { return extension_of(options.output) == ".png"; }
+bool records_images(const RecordOptions& options) {
+  return lowered_extension(options.output) == ".png";
+}
 
 void add_button_flag(CLI::App& command, RecordOptions& options) {
   command

@@ -1,4 +1,5 @@
 // `alltact-studio`: the desktop program.
+#include "app/console/parse.h"
 #include "app/console/studio_arguments.h"
 #include "app/studio/main_window.h"
 #include "core/base/program.h"
@@ -48,7 +49,7 @@ std::optional<int> read_arguments(int argc, char** argv, alltact::StudioArgument
   CLI::App program;
   alltact::describe_studio(program, requested, alltact::program_version());
   try {
-    program.parse(argc, argv);
+    alltact::parse(program, argc, argv);
   } catch (const CLI::ParseError& error) {
     return program.exit(error, std::cout, std::cerr) == 0 ? 0 : 2;
   }

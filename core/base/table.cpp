@@ -1,5 +1,6 @@
 #include "core/base/table.h"
 
+#include "core/base/letters.h"
 #include "core/base/text_encoding.h"
 #include "core/base/time_stamp.h"
 
@@ -26,13 +27,8 @@ constexpr std::size_t kRowsOfOneForm = 5;
 
 bool is_blanks(char separator) { return separator == kBlanks || separator == kWideBlanks; }
 bool is_line_end(char c) { return c == '\n' || c == '\r'; }
-bool is_number_digit(char c) { return c >= '0' && c <= '9'; }
 
-std::string_view without_blanks(std::string_view text, std::string_view around = " \t") {
-  const std::size_t first = text.find_first_not_of(around);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(around) + 1 - first);
-}
+constexpr std::string_view kAround = " 	";
 
 // Names of columns.
 
@@ -46,8 +42,7 @@ std::string plain_name(std::string_view name) {
       continue;
     }
     const char c = name[i];
-    if (kBetween.find(c) == std::string_view::npos)
-      plain += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    if (kBetween.find(c) == std::string_view::npos) plain += lowered(c);
   }
   return plain;
 }
@@ -64,12 +59,12 @@ std::vector<NameAndUnit> readings_of(std::string_view cell) {
   for (const std::string_view brackets : {"()", "[]", "{}", "<>"})
     if (cell.ends_with(brackets[1]))
       if (const std::size_t open = cell.rfind(brackets[0]); open != std::string_view::npos)
-        readings.push_back({without_blanks(cell.substr(0, open), " \t_,/-"),
-                            without_blanks(cell.substr(open + 1, cell.size() - open - 2))});
+        readings.push_back({trimmed(cell.substr(0, open), " \t_,/-"),
+                            trimmed(cell.substr(open + 1, cell.size() - open - 2), kAround)});
   if (!readings.empty()) return readings;
   const std::size_t mark = cell.find_last_of("/,_ \t");
   if (mark != std::string_view::npos && is_measurement_unit(cell.substr(mark + 1))) {
-    std::string_view name = without_blanks(cell.substr(0, mark), " \t_,/");
+    std::string_view name = trimmed(cell.substr(0, mark), " \t_,/");
     for (const std::string_view in : {" in", "_in"})
       if (name.ends_with(in)) name.remove_suffix(in.size());
     readings.push_back({name, cell.substr(mark + 1)});
@@ -92,7 +87,7 @@ std::optional<int> number_behind(std::string_view name, std::string_view base) {
   if (!name.starts_with(base)) return std::nullopt;
   const std::string_view digits = name.substr(base.size());
   if (digits.empty() || digits.size() > kMaxDigits ||
-      !std::all_of(digits.begin(), digits.end(), is_number_digit))
+      !std::all_of(digits.begin(), digits.end(), is_digit))
     return std::nullopt;
   int number = 0;
   std::from_chars(digits.data(), digits.data() + digits.size(), number);
@@ -127,8 +122,8 @@ char decimal_mark_in(std::string_view cell) {
   const std::size_t mark = number.find_first_of(".,");
   if (mark == std::string_view::npos || number.size() == 1) return '\0';
   const std::string_view before = number.substr(0, mark), behind = number.substr(mark + 1);
-  if (!std::all_of(before.begin(), before.end(), is_number_digit) ||
-      !std::all_of(behind.begin(), behind.end(), is_number_digit))
+  if (!std::all_of(before.begin(), before.end(), is_digit) ||
+      !std::all_of(behind.begin(), behind.end(), is_digit))
     return '\0';
   const bool may_be_thousands = behind.size() == 3 && !before.empty() && before.size() <= 3 &&
                                 before[0] != '0' && exponent == cell.size();
@@ -266,7 +261,7 @@ Table::Line Table::read_line(Cursor& cursor, char separator) {
         }
         cell = plain;
       }
-      cells_.push_back(without_blanks(cell, " \t\r\n"));
+      cells_.push_back(trimmed(cell, " \t\r\n"));
       const std::size_t behind = ++i;
       skip(is_around);
       const bool is_followed = is_end() || (is_blanks(separator) ? i > behind : is_separator());
@@ -277,7 +272,7 @@ Table::Line Table::read_line(Cursor& cursor, char separator) {
       if (is_blanks(separator) && !is_end()) continue;
     } else {
       while (!is_end() && !is_separator()) ++i;
-      cells_.push_back(without_blanks(text.substr(begin, i - begin)));
+      cells_.push_back(trimmed(text.substr(begin, i - begin), kAround));
     }
     if (is_end()) break;
     ++i;
@@ -290,7 +285,7 @@ std::optional<Table::Known> Table::known(const std::string& cell) const {
   // Most cells of a file are numbers, which are no names.
   if (cell.find_first_not_of("0123456789+-.,eE") == std::string::npos) return std::nullopt;
   std::optional<Known> with_foreign_unit;
-  for (const NameAndUnit& reading : readings_of(without_blanks(cell))) {
+  for (const NameAndUnit& reading : readings_of(trimmed(cell, kAround))) {
     const std::string name = plain_name(reading.name);
     if (name.empty()) continue;
     for (std::size_t k = 0; k < format_.kinds.size(); ++k) {
@@ -343,7 +338,7 @@ std::optional<Table::Head> Table::head_with(char separator) {
     const int line = row_line_;
     if (kind == Line::kRemark) {
       // numpy and gnuplot write the names into a remark.
-      Cursor inside{without_blanks(cells_[0], " \t#%"), 0, line};
+      Cursor inside{trimmed(cells_[0], " \t#%"), 0, line};
       if (read_line(inside, separator) != Line::kRow) cells_.clear();
     }
     std::vector<std::string> cells(cells_.begin(), cells_.end());
@@ -394,7 +389,7 @@ Result<Table::Head> Table::find_head() {
   // A first line for spreadsheet programs.
   const std::string_view first =
       text_.substr(0, std::min(text_.find_first_of("\r\n"), text_.size()));
-  const std::string_view rule = without_blanks(first, "\"");
+  const std::string_view rule = trimmed(first, "\"");
   if (rule.size() == 5 && rule.starts_with("sep=") &&
       std::string_view(",;:|!&/~ \t").find(rule.back()) != std::string_view::npos) {
     separators = {rule.back() == ' ' ? kBlanks : rule.back()};
@@ -449,7 +444,7 @@ Status Table::take_units_line() {
   while (line == Line::kRemark) line = read_line(cursor, separator_);
   if (line != Line::kRow || cells_.size() > columns_.size()) return {};
   const auto unit_in = [&](std::size_t i) {
-    return i < cells_.size() ? without_blanks(cells_[i], " \t()[]{}<>") : std::string_view();
+    return i < cells_.size() ? trimmed(cells_[i], " \t()[]{}<>") : std::string_view();
   };
   const auto measure_of = [&](const Column& column) {
     const TableColumnKind* kind = kind_of(column);

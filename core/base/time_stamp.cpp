@@ -1,5 +1,6 @@
 #include "core/base/time_stamp.h"
 
+#include "core/base/letters.h"
 #include "core/base/message.h"
 
 #include <algorithm>
@@ -14,14 +15,6 @@ namespace {
 constexpr std::array<std::string_view, 12> kMonths{"jan", "feb", "mar", "apr", "may", "jun",
                                                    "jul", "aug", "sep", "oct", "nov", "dec"};
 
-bool is_time_digit(char c) { return c >= '0' && c <= '9'; }
-
-std::string_view without_spaces(std::string_view text) {
-  while (text.starts_with(' ')) text.remove_prefix(1);
-  while (text.ends_with(' ')) text.remove_suffix(1);
-  return text;
-}
-
 std::vector<std::string_view> parts_at(std::string_view text, char mark) {
   std::vector<std::string_view> parts;
   for (;;) {
@@ -35,16 +28,14 @@ std::vector<std::string_view> parts_at(std::string_view text, char mark) {
 /// One to `max_digits` digits.
 std::optional<int> digits_of(std::string_view text, std::size_t max_digits) {
   int value = 0;
-  if (text.empty() || text.size() > max_digits ||
-      !std::all_of(text.begin(), text.end(), is_time_digit))
+  if (text.empty() || text.size() > max_digits || !std::all_of(text.begin(), text.end(), is_digit))
     return std::nullopt;
   std::from_chars(text.data(), text.data() + text.size(), value);
   return value;
 }
 
 std::optional<int> month_of(std::string_view text) {
-  std::string name;
-  for (const char c : text) name += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  const std::string name = lowered(std::string(text));
   const auto found = std::find(kMonths.begin(), kMonths.end(), name);
   if (found != kMonths.end()) return static_cast<int>(found - kMonths.begin()) + 1;
   return digits_of(text, 2);
@@ -75,7 +66,7 @@ bool take_date(std::string_view text, TimeStamp& stamp) {
   if (!first || !year || parts[2].size() != 4) return false;
   const auto day_first = date_from(*year, *month, *first);
   // Only dots and names of months stand for one order in all countries.
-  const bool is_one_order = text[mark] == '.' || !is_time_digit(parts[1][0]);
+  const bool is_one_order = text[mark] == '.' || !is_digit(parts[1][0]);
   const auto month_first = is_one_order ? std::nullopt : date_from(*year, *first, *month);
   stamp.is_date_ambiguous = day_first && month_first && day_first != month_first;
   stamp.date = day_first ? day_first : month_first;
@@ -100,7 +91,7 @@ bool take_zone(std::string_view& clock, TimeStamp& stamp) {
       digits.size() == 2 ? 0 : digits_of(digits.size() == 4 ? digits.substr(2) : "", 2);
   if (!hours || !minutes || *hours > 14 || *minutes > 59) return false;
   stamp.ahead_of_s = (clock[sign] == '-' ? -60 : 60) * (60 * *hours + *minutes);
-  clock = without_spaces(clock.substr(0, sign));
+  clock = trimmed(clock.substr(0, sign), " ");
   return true;
 }
 
@@ -109,7 +100,7 @@ std::optional<int> take_half_day(std::string_view& clock, int hours) {
   const bool is_am = clock.ends_with("AM") || clock.ends_with("am");
   const bool is_pm = clock.ends_with("PM") || clock.ends_with("pm");
   if (!is_am && !is_pm) return hours;
-  clock = without_spaces(clock.substr(0, clock.size() - 2));
+  clock = trimmed(clock.substr(0, clock.size() - 2), " ");
   if (hours < 1 || hours > 12) return std::nullopt;
   return hours % 12 + (is_pm ? 12 : 0);
 }
@@ -119,7 +110,7 @@ std::optional<double> seconds_of(std::string_view text) {
   const std::size_t mark = std::min(text.find_first_of(".,"), text.size());
   const std::string_view behind = text.substr(std::min(mark + 1, text.size()));
   const auto full = digits_of(text.substr(0, mark), 2);
-  if (!full || *full > 59 || !std::all_of(behind.begin(), behind.end(), is_time_digit))
+  if (!full || *full > 59 || !std::all_of(behind.begin(), behind.end(), is_digit))
     return std::nullopt;
   if (mark < text.size() && behind.empty()) return std::nullopt;
   double seconds = 0;
@@ -157,7 +148,7 @@ double TimeStamp::seconds() const {
 }
 
 Result<TimeStamp> parse_time_stamp(std::string_view text) {
-  text = without_spaces(text);
+  text = trimmed(text, " ");
   const Error wrong{en::say("'{}' is not a date or time that exists", printable(text)), "", ""};
   TimeStamp stamp;
   const std::size_t colon = text.find(':');
@@ -165,8 +156,8 @@ Result<TimeStamp> parse_time_stamp(std::string_view text) {
       colon == std::string_view::npos ? text.size() : text.find_first_of(" T");
   if (between < text.size() && (colon == std::string_view::npos || between < colon)) {
     if (!take_date(text.substr(0, between), stamp)) return wrong;
-    return take_clock(without_spaces(text.substr(between + 1)), stamp) ? Result<TimeStamp>(stamp)
-                                                                       : wrong;
+    return take_clock(trimmed(text.substr(between + 1), " "), stamp) ? Result<TimeStamp>(stamp)
+                                                                     : wrong;
   }
   if (colon == std::string_view::npos)
     return take_date(text, stamp) ? Result<TimeStamp>(stamp) : wrong;
@@ -178,8 +169,8 @@ Result<TimeStamp> parse_time_stamp(std::string_view text) {
 }
 
 bool resembles_time_stamp(std::string_view text) {
-  text = without_spaces(text);
-  if (text.empty() || !is_time_digit(text.front())) return false;
+  text = trimmed(text, " ");
+  if (text.empty() || !is_digit(text.front())) return false;
   if (text.find_first_of(":/") != std::string_view::npos) return true;
   const auto has_two = [&](char mark) { return std::count(text.begin(), text.end(), mark) == 2; };
   return has_two('-') || (has_two('.') && text.size() <= 10);

@@ -1,5 +1,6 @@
 #include "core/base/typed_number.h"
 
+#include "core/base/letters.h"
 #include "core/base/message.h"
 
 #include <algorithm>
@@ -40,14 +41,6 @@ std::string in_ascii(std::string_view text) {
   }
   return ascii;
 }
-
-std::string_view trimmed(std::string_view text) {
-  while (text.starts_with(' ')) text.remove_prefix(1);
-  while (text.ends_with(' ')) text.remove_suffix(1);
-  return text;
-}
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 bool is_digit_at(std::string_view text, std::size_t at) {
   return at < text.size() && is_digit(text[at]);
@@ -95,7 +88,7 @@ Parts parts_of(std::string_view text) {
       text.remove_prefix(end);
     }
   }
-  parts.rest = trimmed(text);
+  parts.rest = trimmed(text, " ");
   return parts;
 }
 
@@ -124,7 +117,7 @@ std::optional<double> value_of(std::string_view plain) {
 }
 
 Error not_a_number(std::string_view text) {
-  if (trimmed(in_ascii(text)).empty()) return {en::say("a number is missing"), "", ""};
+  if (trimmed(in_ascii(text), " ").empty()) return {en::say("a number is missing"), "", ""};
   return {en::say("'{}' is not a number", printable(text)), "", ""};
 }
 
@@ -156,7 +149,7 @@ bool may_be_thousands(const Parts& parts, DecimalMark mark) {
 
 std::optional<Error> unit_problem(std::string_view text, const std::string& rest,
                                   const std::string& unit) {
-  if (rest.empty() || rest == trimmed(in_ascii(unit))) return std::nullopt;
+  if (rest.empty() || rest == trimmed(in_ascii(unit), " ")) return std::nullopt;
   // "1/2" and "4x5" are no numbers with units.
   const bool is_word =
       std::none_of(rest.begin(), rest.end(), is_digit) &&
@@ -167,7 +160,7 @@ std::optional<Error> unit_problem(std::string_view text, const std::string& rest
         en::say("'{}' has '{}' after the number: remove it", printable(text), printable(rest)), "",
         ""};
   return Error{en::say("'{}' is in '{}': give the number in {}", printable(text), printable(rest),
-                       std::string(trimmed(in_ascii(unit)))),
+                       std::string(trimmed(in_ascii(unit), " "))),
                "", ""};
 }
 
@@ -175,7 +168,7 @@ std::optional<Error> unit_problem(std::string_view text, const std::string& rest
 
 Result<std::string> plain_number(std::string_view text, const NumberFormat& format) {
   const std::string ascii = in_ascii(text);
-  const Parts parts = parts_of(trimmed(ascii));
+  const Parts parts = parts_of(trimmed(ascii, " "));
   const bool has_digits = std::any_of(parts.groups.begin(), parts.groups.end(),
                                       [](const auto& g) { return !g.empty(); });
   if (!has_digits) return not_a_number(text);

@@ -1,5 +1,7 @@
 #include "core/base/units.h"
 
+#include "core/base/letters.h"
+
 #include <algorithm>
 #include <array>
 #include <numbers>
@@ -47,12 +49,12 @@ constexpr std::array<NamedUnit, 23> kUnits{{
     {Measure::kPixel, {1, 1, "px"}, " px pixel pixels 像素 "},
 }};
 
-std::string lowered(std::string_view name) {
+/// In lower case, with a u for either micro sign.
+std::string plain_unit(std::string_view name) {
   std::string lower;
   for (; !name.empty(); name.remove_prefix(1)) {
     const bool is_micro = name.starts_with("µ") || name.starts_with("μ");
-    const char c = name.front();
-    lower += is_micro ? 'u' : c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    lower += is_micro ? 'u' : lowered(name.front());
     if (is_micro) name.remove_prefix(1);
   }
   return lower;
@@ -62,7 +64,7 @@ std::string lowered(std::string_view name) {
 
 std::optional<MeasurementUnit> measurement_unit(Measure measure, std::string_view name) {
   if (name == "MN" || name.empty() || name.find(' ') != std::string_view::npos) return std::nullopt;
-  const std::string word = ' ' + lowered(name) + ' ';
+  const std::string word = ' ' + plain_unit(name) + ' ';
   for (const NamedUnit& one : kUnits)
     if (one.measure == measure && one.names.find(word) != std::string_view::npos) return one.unit;
   return std::nullopt;

@@ -1,5 +1,7 @@
 #include "core/base/utc_time.h"
 
+#include "core/base/letters.h"
+
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -33,9 +35,8 @@ bool is_ahead_of_clock(const std::string& date) {
 bool is_utc(std::string_view text) {
   constexpr std::string_view kForm = "0000-00-00T00:00:00Z";
   return text.size() == kForm.size() &&
-         std::equal(text.begin(), text.end(), kForm.begin(), [](char c, char form) {
-           return form == '0' ? c >= '0' && c <= '9' : c == form;
-         });
+         std::equal(text.begin(), text.end(), kForm.begin(),
+                    [](char c, char form) { return form == '0' ? is_digit(c) : c == form; });
 }
 
 std::optional<double> unix_seconds(const std::string& time) {

@@ -1,5 +1,7 @@
 #include "core/base/value_tree.h"
 
+#include "core/base/letters.h"
+
 #include <algorithm>
 #include <cctype>
 #include <charconv>
@@ -315,12 +317,6 @@ bool is_property_name(std::string_view text) {
   });
 }
 
-std::string_view stripped(std::string_view text) {
-  const auto begin = text.find_first_not_of(" \t\r\n");
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(" \t\r\n") - begin + 1);
-}
-
 /// Properties of an object as Matlab prints or assigns them, one after the other; nested ones are
 /// not distinguished.
 class MatlabText {
@@ -336,7 +332,7 @@ class MatlabText {
     while (next(line)) {
       const std::size_t mark = line.find_first_of(":=");
       if (mark == std::string::npos) continue;
-      std::string_view name = stripped(std::string_view(line).substr(0, mark));
+      std::string_view name = trimmed(std::string_view(line).substr(0, mark));
       if (!is_property_name(name)) continue;
       name = name.substr(name.rfind('.') + 1);
       budget.spend(1, line_);
@@ -344,7 +340,7 @@ class MatlabText {
       value.key = std::string(name);
       value.line = line_;
       value.text = value_after(line.substr(mark + 1), line[mark] == '=');
-      if (!stripped(value.text).empty()) tree.children.push_back(std::move(value));
+      if (!trimmed(value.text).empty()) tree.children.push_back(std::move(value));
     }
     refuse_duplicates(tree);
   }
@@ -366,12 +362,11 @@ class MatlabText {
                             en::say("copy the file again")};
         rest += ' ' + line;
       }
-    } else if (is_assigned && stripped(rest).empty()) {
+    } else if (is_assigned && trimmed(rest).empty()) {
       while (next(line)) {
-        if (stripped(line).empty() && !stripped(rest).empty() &&
-            rest.find('*') == std::string::npos)
+        if (trimmed(line).empty() && !trimmed(rest).empty() && rest.find('*') == std::string::npos)
           break;
-        if (stripped(line).empty()) continue;
+        if (trimmed(line).empty()) continue;
         // 1.0e+03 * stands before rows that are all a thousand times larger.
         const std::size_t star = line.find('*');
         if (star != std::string::npos)
@@ -383,7 +378,7 @@ class MatlabText {
     }
     for (char& c : rest)
       if (c == '[' || c == ']') c = ' ';
-    const std::string_view value = stripped(rest);
+    const std::string_view value = trimmed(rest);
     return std::string(value.ends_with(';') ? value.substr(0, value.size() - 1) : value);
   }
 
@@ -393,7 +388,7 @@ class MatlabText {
     std::string all, word;
     while (words >> word) {
       double factor = 0, number = 0;
-      const std::string_view by = stripped(scale_);
+      const std::string_view by = trimmed(scale_);
       const auto parsed = std::from_chars(by.data(), by.data() + by.size(), factor);
       const auto one = std::from_chars(word.data(), word.data() + word.size(), number);
       const bool is_number = parsed.ec == std::errc() && one.ec == std::errc();
@@ -425,7 +420,7 @@ ValueTree tree_of(std::string content) {
                       en::say("unpack it, and use a file of it")};
   if (content.find('\0') != std::string::npos)
     throw RefusedText{en::say("is no text file"), 0, en::say("a calibration as YAML, JSON or XML")};
-  const std::string_view text = stripped(content);
+  const std::string_view text = trimmed(content);
   if (text.starts_with('<')) return xml_tree(content, budget);
   if (text.starts_with('{') || text.starts_with('[')) {
     JsonTree json(budget);

@@ -1,6 +1,7 @@
 #include "core/base/yaml.h"
 
 #include "core/base/atomic_file.h"
+#include "core/base/letters.h"
 #include "core/base/message.h"
 #include "core/base/typed_number.h"
 
@@ -244,12 +245,6 @@ Message in_words(const Limits& l) {
   return en::say("a number {} {:g} and {} {:g}", from, l.low, to, l.high);
 }
 
-std::string to_lower_case(std::string text) {
-  for (char& c : text)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return text;
-}
-
 /// The written key that was probably meant as `key`: equal but for capitals, without its unit
 /// ('radius' for 'radius_mm') or with an additional one; else the nearest with the same beginning
 /// ('fx' is no error for 'fy'). Empty where there is none.
@@ -257,7 +252,7 @@ std::string misspelling_of(const std::string& key, const std::vector<std::string
   const auto without_unit = [](const std::string& k) { return k.substr(0, k.rfind('_')); };
   std::vector<std::string> alike;
   for (const std::string& word : written) {
-    const std::string small = to_lower_case(word);
+    const std::string small = lowered(word);
     if (small == key || small == without_unit(key) || without_unit(small) == key) return word;
     if (small.substr(0, 2) == key.substr(0, 2)) alike.push_back(word);
   }
@@ -529,14 +524,13 @@ std::map<std::string, std::string> YamlSection::all_texts() {
 
 namespace {
 
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
-bool is_ascii_digit(char c) { return c >= '0' && c <= '9'; }
+bool begins_word(char c) { return is_letter(c) || c == '_'; }
 
 /// True when YAML gives no special meaning to any character, also inside a list.
 bool is_harmless(std::string_view text) {
   if (text.empty() || text.front() == ' ' || text.back() == ' ') return false;
   return std::all_of(text.begin(), text.end(), [](char c) {
-    return is_letter(c) || is_ascii_digit(c) ||
+    return begins_word(c) || is_digit(c) ||
            std::string_view(" ./+-()").find(c) != std::string_view::npos;
   });
 }
@@ -544,10 +538,7 @@ bool is_harmless(std::string_view text) {
 bool is_reserved(std::string_view text) {
   static constexpr std::array kWords{"true", "false", "yes",  "no",  "on", "off",
                                      "y",    "n",     "null", "nan", "inf"};
-  std::string lower(text);
-  std::transform(lower.begin(), lower.end(), lower.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return std::find(kWords.begin(), kWords.end(), lower) != kWords.end();
+  return std::find(kWords.begin(), kWords.end(), lowered(std::string(text))) != kWords.end();
 }
 
 std::string in_quotes(std::string_view text) {
@@ -611,15 +602,15 @@ std::string yaml_number(double value) {
 }
 
 std::string yaml_text(std::string_view text) {
-  const bool is_plain = is_harmless(text) && is_letter(text.front()) && !is_reserved(text);
+  const bool is_plain = is_harmless(text) && begins_word(text.front()) && !is_reserved(text);
   return is_plain ? std::string(text) : in_quotes(text);
 }
 
 std::string yaml_text_or_number(std::string_view text) {
-  const bool is_signed = text.size() > 1 && text.front() == '-' && is_ascii_digit(text[1]);
+  const bool is_signed = text.size() > 1 && text.front() == '-' && is_digit(text[1]);
   const bool is_null = text == "null" || text == "Null" || text == "NULL";
   const bool is_plain = is_harmless(text) && !is_null &&
-                        (is_letter(text.front()) || is_ascii_digit(text.front()) || is_signed);
+                        (begins_word(text.front()) || is_digit(text.front()) || is_signed);
   return is_plain ? std::string(text) : in_quotes(text);
 }
 

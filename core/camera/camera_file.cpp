@@ -1,6 +1,7 @@
 #include "core/camera/camera_file.h"
 
 #include "core/base/atomic_file.h"
+#include "core/base/letters.h"
 #include "core/numerics/checksum.h"
 
 #include <algorithm>
@@ -17,10 +18,7 @@ constexpr std::size_t kMaxBytes = std::size_t{64} << 20;
 
 /// A key with which another program describes a lens.
 bool is_foreign_lens_key(const std::string& key) {
-  std::string word;
-  for (const char c : key)
-    if (std::isalnum(static_cast<unsigned char>(c)) != 0)
-      word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string word = plain_word(key);
   static constexpr std::array<std::string_view, 17> kWords{"k",  "d",  "k1", "k2", "k3", "k4",
                                                            "k5", "k6", "p1", "p2", "s1", "s2",
                                                            "s3", "s4", "xi", "kc", "mtx"};

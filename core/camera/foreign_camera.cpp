@@ -1,4 +1,5 @@
 // Cameras of other programs; camera_file.h describes the formats and their sources.
+#include "core/base/letters.h"
 #include "core/base/value_tree.h"
 #include "core/camera/camera_file.h"
 
@@ -28,15 +29,6 @@ struct Candidate {
   Format format;
   std::string suffix;  ///< of its keys, where several cameras share a map: "1" of cameraMatrix1
 };
-
-/// Lower-case letters and digits of a key: camera_matrix, cameraMatrix and Camera_Matrix are one.
-std::string plain(std::string_view key) {
-  std::string word;
-  for (const char c : key)
-    if (std::isalnum(static_cast<unsigned char>(c)) != 0)
-      word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return word;
-}
 
 using Names = std::vector<std::string_view>;
 
@@ -74,7 +66,7 @@ constexpr std::array kSuffixes{"0", "1", "2", "left", "right", "l", "r"};
 enum class Family { kUnnamed = 1, kNone, kPinhole, kFisheye, kUnknown };
 
 Family family_of(std::string_view model) {
-  const std::string word = plain(model);
+  const std::string word = plain_word(model);
   const auto is_one_of = [&](std::initializer_list<const char*> words) {
     return std::find(words.begin(), words.end(), word) != words.end();
   };
@@ -92,7 +84,7 @@ Family family_of(std::string_view model) {
 
 /// Other lens models, where a vague key may hold a camera's name as well.
 bool is_other_model(std::string_view model) {
-  const std::string word = plain(model);
+  const std::string word = plain_word(model);
   for (const char* other :
        {"omni", "mei", "ucm", "eucm", "ds", "fov", "scaramuzza", "ocam", "orthographic",
         "spherical", "equirectangular", "division", "stereographic"})
@@ -102,7 +94,7 @@ bool is_other_model(std::string_view model) {
 }
 
 bool is_truth(std::string_view text) {
-  const std::string word = plain(text);
+  const std::string word = plain_word(text);
   return word == "1" || word == "true" || word == "yes";
 }
 
@@ -110,7 +102,7 @@ const ValueTree* find_plain(const ValueTree& map, const Names& names,
                             const std::string& suffix = "") {
   for (const std::string_view name : names)
     for (const ValueTree& child : map.children)
-      if (plain(child.key) == std::string(name) + suffix) return &child;
+      if (plain_word(child.key) == std::string(name) + suffix) return &child;
   return nullptr;
 }
 
@@ -261,7 +253,8 @@ class ForeignFile {
     for (const ValueTree& child : map.children)
       if (&child != first)
         for (const std::string_view name : names)
-          if (plain(child.key) == std::string(name) + suffix && numbers(child) != numbers(*first))
+          if (plain_word(child.key) == std::string(name) + suffix &&
+              numbers(child) != numbers(*first))
             contradict(child, first->key);
     return first;
   }
@@ -305,7 +298,7 @@ class ForeignFile {
     if (width != nullptr && height != nullptr)
       set_size(lens, *width, single(*width), single(*height));
     for (const ValueTree& child : map.children) {
-      const std::string word = plain(child.key);
+      const std::string word = plain_word(child.key);
       const auto is_named = [&](const Names& names) {
         return std::any_of(names.begin(), names.end(), [&](std::string_view name) {
           return word == std::string(name) + suffix;
@@ -407,7 +400,7 @@ class ForeignFile {
     const Message advice = en::say("run 'alltact lens' with images of a board");
     for (const ValueTree& child : map.children) {
       if (child.kind != ValueTree::Kind::kText) continue;
-      const std::string word = plain(child.key);
+      const std::string word = plain_word(child.key);
       const auto is_in = [&](const Names& names) {
         return std::find(names.begin(), names.end(), word) != names.end();
       };

@@ -1,5 +1,6 @@
 #include "core/devices/gauge_source.h"
 
+#include "core/base/letters.h"
 #include "core/base/message.h"
 #include "core/base/typed_number.h"
 #include "core/base/units.h"
@@ -74,9 +75,6 @@ GaugeSample sample_of(const GaugeLine& line, const GaugeDirections& directions, 
 namespace {
 
 constexpr double kMaxGaugeN = 1e5;
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
 
 /// Over-range words that gauges send instead of a number; only letters and digits count.
 bool is_over_range_word(std::string_view line) {
@@ -236,18 +234,11 @@ std::optional<double> newtons_in(std::string_view unit) {
 
 namespace {
 
-std::string trimmed(std::string_view text) {
-  const auto is_blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
-  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
-  return std::string(text);
-}
-
 /// Makes a name fit for a cell of a table.
 std::string typed_name(std::string name) {
   for (char& c : name)
     if (c == ',' || c == '"' || static_cast<unsigned char>(c) < ' ') c = ' ';
-  return trimmed(name);
+  return std::string(trimmed(name));
 }
 
 /// The reason why a number in the line is ambiguous, as "1,200 N".

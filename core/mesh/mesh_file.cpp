@@ -1,5 +1,6 @@
 #include "core/mesh/mesh_file.h"
 
+#include "core/base/letters.h"
 #include "core/base/message.h"
 
 #include <algorithm>
@@ -14,13 +15,6 @@ namespace {
 
 constexpr std::uintmax_t kLargestFile = std::uintmax_t{512} << 20;
 constexpr std::size_t kMaxTriangles = 4'000'000;
-
-std::string lower_extension(const std::filesystem::path& file) {
-  std::string text = file.extension().string();
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return std::tolower(c); });
-  return text;
-}
 
 // Merges corners of different triangles at one position into one point.
 class UniquePoints {
@@ -66,7 +60,7 @@ Result<TriangleMesh> read_mesh(const std::filesystem::path& file) {
   std::error_code failed;
   const std::uintmax_t size = std::filesystem::file_size(file, failed);
   if (failed) return refuse(en::say("the mesh does not exist"), en::say("an STL or OBJ file"));
-  const std::string kind = lower_extension(file);
+  const std::string kind = lowered_extension(file);
   if (kind != ".stl" && kind != ".obj")
     return refuse(en::say("this mesh format is unknown"),
                   en::say("a file that ends in .stl or .obj"));

@@ -1,5 +1,6 @@
 #include "core/open/open_source.h"
 
+#include "core/base/letters.h"
 #include "core/sources/file_source.h"
 
 namespace alltact {
@@ -9,7 +10,7 @@ namespace fs = std::filesystem;
 
 bool is_scene(const fs::path& file) {
   static constexpr std::array kExtensions{".yaml", ".yml"};
-  return is_one_of(extension_of(file), kExtensions);
+  return is_one_of(lowered_extension(file), kExtensions);
 }
 
 Error not_an_input(const fs::path& path) {
@@ -28,7 +29,7 @@ Result<std::unique_ptr<Source>> open_video(const fs::path& file, const SourceOpt
 bool has_video_name(const fs::path& file) {
   static constexpr std::array kExtensions{".mkv", ".webm", ".avi", ".mp4", ".mov",
                                           ".m4v", ".ts",   ".mpg", ".wmv", ".mjpeg"};
-  return is_one_of(extension_of(file), kExtensions);
+  return is_one_of(lowered_extension(file), kExtensions);
 }
 
 /// True for a node, or a possible camera name that is no file.

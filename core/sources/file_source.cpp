@@ -1,5 +1,6 @@
 #include "core/sources/file_source.h"
 
+#include "core/base/letters.h"
 #include "core/image/image_file.h"
 
 #include <algorithm>
@@ -15,7 +16,7 @@ bool is_measurement(const fs::path& file) {
   static constexpr std::array kExtensions{
       ".depth", ".depth16",  ".depth_sd",   ".flags",        ".points",   ".z",
       ".3d",    ".sd_noise", ".sd_mapping", ".sd_reference", ".sd_light", ".sd_lateral"};
-  return is_one_of(extension_of(file.stem()), kExtensions);
+  return is_one_of(lowered_extension(file.stem()), kExtensions);
 }
 
 /// A name that ends in a number.
@@ -54,7 +55,7 @@ bool is_sequence(const std::vector<fs::path>& files) {
 
 bool is_image_file(const fs::path& file) {
   static constexpr std::array kExtensions{".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".pgm"};
-  return is_one_of(extension_of(file), kExtensions);
+  return is_one_of(lowered_extension(file), kExtensions);
 }
 
 Result<std::vector<fs::path>> images_in(const fs::path& folder) {
@@ -80,7 +81,6 @@ Result<std::vector<fs::path>> images_in(const fs::path& folder) {
 
 bool is_before(const fs::path& a, const fs::path& b) {
   const std::string first = a.filename().string(), second = b.filename().string();
-  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
   std::size_t i = 0, k = 0;
   while (i < first.size() && k < second.size()) {
     if (!is_digit(first[i]) || !is_digit(second[k])) {

@@ -136,14 +136,6 @@ class RecordedFrames {
 
 // The kind of a file by its extension.
 
-/// Returns ".png", its English letters in lower case in any locale.
-inline std::string extension_of(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
-  for (char& c : extension)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return extension;
-}
-
 template <std::size_t N>
 bool is_one_of(const std::string& extension, const std::array<const char*, N>& extensions) {
   return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();

@@ -1,4 +1,5 @@
 #include "core/base/atomic_file.h"
+#include "core/base/letters.h"
 #include "core/mesh/mesh_file.h"
 #include "core/thumbnail/thumbnail.h"
 
@@ -167,9 +168,7 @@ Result<Triangles> read_triangles(const std::filesystem::path& file) {
   const auto refuse = [&](Message what) {
     return Error{std::move(what), file.string(), en::say("a file that a 3D program shows")};
   };
-  std::string kind = file.extension().string();
-  std::transform(kind.begin(), kind.end(), kind.begin(),
-                 [](unsigned char c) { return std::tolower(c); });
+  const std::string kind = lowered_extension(file);
   if (kind != ".ply" && kind != ".vtp" && kind != ".glb" && kind != ".stl" && kind != ".obj")
     return Error{en::say("this mesh format is unknown"), file.string(),
                  en::say("a file that ends in .ply, .vtp, .glb, .stl or .obj")};

@@ -1,5 +1,6 @@
 #include "widgets/live/live_session.h"
 
+#include "core/base/letters.h"
 #include "core/open/open_source.h"
 #include "core/sources/file_source.h"
 
@@ -22,8 +23,8 @@ void smooth(StepTimes& shown, const StepTimes& next) {
 }
 
 bool is_scene(const std::vector<std::filesystem::path>& inputs) {
-  return inputs.size() == 1 &&
-         (extension_of(inputs.front()) == ".yaml" || extension_of(inputs.front()) == ".yml");
+  return inputs.size() == 1 && (lowered_extension(inputs.front()) == ".yaml" ||
+                                lowered_extension(inputs.front()) == ".yml");
 }
 
 }  // namespace
