@@ -2083,6 +2083,18 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
 <context>
     <name>alltact::LensForm</name>
     <message>
+        <source>&amp;Gap / side of tags</source>
+        <translation>&amp;Lücke / Seite der Tags</translation>
+    </message>
+    <message>
+        <source>Gap of two tags as a fraction of their side</source>
+        <translation>Lücke zweier Tags als Bruchteil ihrer Seite</translation>
+    </message>
+    <message>
+        <source>The spacing printed on the board, such as 0.3</source>
+        <translation>Der auf der Tafel gedruckte Abstand (spacing), etwa 0,3</translation>
+    </message>
+    <message>
         <source>&amp;Board</source>
         <translation>&amp;Tafel</translation>
     </message>
@@ -5654,6 +5666,26 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
 </context>
 <context>
     <name>alltact::en</name>
+    <message>
+        <source>the image is damaged, truncated, or of a rare kind of TIFF</source>
+        <translation>das Bild ist beschädigt, abgeschnitten oder ein TIFF seltener Art</translation>
+    </message>
+    <message>
+        <source>copy it again, or save it as PNG</source>
+        <translation>es noch einmal kopieren oder als PNG speichern</translation>
+    </message>
+    <message>
+        <source>it holds no times of its frames: {:.4g} frames per second were assumed</source>
+        <translation>für seine Bilder sind keine Zeiten angegeben: {:.4g} Bilder pro Sekunde wurden angenommen</translation>
+    </message>
+    <message>
+        <source>it states that its brightness is stored as 16 to 235, but {:.0f} % of its pixels are below 9: 0 to 255 was assumed</source>
+        <translation>der Bereich seiner Helligkeit ist als 16 bis 235 angegeben, aber {:.0f} % seiner Pixel liegen unter 9: 0 bis 255 wurde angenommen</translation>
+    </message>
+    <message>
+        <source>the image is black and white; 8 to 16 bits per pixel are needed</source>
+        <translation>das Bild ist schwarzweiß; 8 bis 16 Bit pro Pixel sind nötig</translation>
+    </message>
     <message>
         <source>light spreads in this layer: the steps of punches are compared with the mapping, which does not use them</source>
         <translation>in dieser Schicht breitet sich Licht aus: die Stufen der Stempel werden mit der Abbildung verglichen, die sie nicht verwendet</translation>

@@ -2071,6 +2071,18 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
 <context>
     <name>alltact::LensForm</name>
     <message>
+        <source>&amp;Gap / side of tags</source>
+        <translation>标签间隙 / 边长(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Gap of two tags as a fraction of their side</source>
+        <translation>两标签间隙占边长的比例</translation>
+    </message>
+    <message>
+        <source>The spacing printed on the board, such as 0.3</source>
+        <translation>标定板上印的间距（spacing），如 0.3</translation>
+    </message>
+    <message>
         <source>&amp;Board</source>
         <translation>标定板(&amp;B)</translation>
     </message>
@@ -5615,6 +5627,26 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
 </context>
 <context>
     <name>alltact::en</name>
+    <message>
+        <source>the image is damaged, truncated, or of a rare kind of TIFF</source>
+        <translation>图像损坏、不完整，或是少见的 TIFF 类型</translation>
+    </message>
+    <message>
+        <source>copy it again, or save it as PNG</source>
+        <translation>重新复制，或另存为 PNG</translation>
+    </message>
+    <message>
+        <source>it holds no times of its frames: {:.4g} frames per second were assumed</source>
+        <translation>未含各帧的时间：按每秒 {:.4g} 帧处理</translation>
+    </message>
+    <message>
+        <source>it states that its brightness is stored as 16 to 235, but {:.0f} % of its pixels are below 9: 0 to 255 was assumed</source>
+        <translation>注明亮度范围为 16 到 235，但有 {:.0f} % 的像素低于 9：按 0 到 255 处理</translation>
+    </message>
+    <message>
+        <source>the image is black and white; 8 to 16 bits per pixel are needed</source>
+        <translation>图像是黑白二值的；需要每像素 8 到 16 位</translation>
+    </message>
     <message>
         <source>light spreads in this layer: the steps of punches are compared with the mapping, which does not use them</source>
         <translation>光在此层中扩散：压头的台阶只与映射比较，映射不使用它们</translation>

@@ -491,6 +491,7 @@ LensForm::LensForm(QWidget* parent)
       columns_(new IntegerField),
       rows_(new IntegerField),
       square_(number(0.01, 1000, 3, 5)),
+      tag_gap_(number(0.05, 2, 3, LensSettings().tag_spacing)),
       distance_(number(1, 10000, 1, LensSettings().distance_mm)),
       gap_(number(0, 1000, 2, 0)),
       plate_(number(0, 1000, 2, 2)),
@@ -500,6 +501,7 @@ LensForm::LensForm(QWidget* parent)
       pattern_label_(new QLabel),
       size_label_(new QLabel),
       square_label_(new QLabel),
+      tag_gap_label_(new QLabel),
       by_label_(new QLabel),
       model_label_(new QLabel),
       distance_label_(new QLabel),
@@ -522,6 +524,7 @@ LensForm::LensForm(QWidget* parent)
   form_->addRow(pattern_label_, pattern_);
   form_->addRow(size_label_, size);
   form_->addRow(square_label_, square_);
+  form_->addRow(tag_gap_label_, tag_gap_);
   form_->addRow(model_label_, model_);
   form_->addRow(distance_label_, distance_);
   form_->addRow(has_port_);
@@ -532,10 +535,13 @@ LensForm::LensForm(QWidget* parent)
   pattern_label_->setBuddy(pattern_);
   size_label_->setBuddy(columns_);
   square_label_->setBuddy(square_);
+  tag_gap_label_->setBuddy(tag_gap_);
+  connect(pattern_, &QComboBox::currentIndexChanged, this, &LensForm::show_tag_gap);
   connect(pattern_, &QComboBox::currentIndexChanged, this, &LensForm::board_changed);
   for (IntegerField* count : {columns_, rows_})
     connect(count, &IntegerField::valueChanged, this, &LensForm::board_changed);
-  connect(square_, &NumberField::valueChanged, this, &LensForm::board_changed);
+  for (NumberField* length : {square_, tag_gap_})
+    connect(length, &NumberField::valueChanged, this, &LensForm::board_changed);
   connect(has_port_, &QCheckBox::toggled, this, &LensForm::show_port);
   say([this] { name_parts(); });
 }
@@ -554,6 +560,9 @@ void LensForm::name_parts() {
   by_label_->setText(tr("by"));
   square_label_->setText(tr("&Side of a square"));
   square_->setAccessibleName(tr("Side of a square"));
+  tag_gap_label_->setText(tr("&Gap / side of tags"));
+  tag_gap_->setAccessibleName(tr("Gap of two tags as a fraction of their side"));
+  tag_gap_->setToolTip(tr("The spacing printed on the board, such as 0.3"));
   model_label_->setText(tr("Lens"));
   model_->setAccessibleName(tr("Lens"));
   model_->setItemText(0, tr("standard (Brown)"));
@@ -573,6 +582,13 @@ void LensForm::name_parts() {
   medium_index_->setAccessibleName(tr("Refractive index behind the window"));
   for (NumberField* length : {square_, distance_, gap_, plate_}) length->setSuffix(tr(" mm"));
   show_port();
+  show_tag_gap();
+}
+
+void LensForm::show_tag_gap() {
+  const bool is_grid = board().pattern == BoardPattern::kAprilGrid;
+  for (QWidget* part : std::initializer_list<QWidget*>{tag_gap_label_, tag_gap_})
+    part->setVisible(is_grid);
 }
 
 void LensForm::show_port() {
@@ -588,12 +604,14 @@ Board LensForm::board() const {
   board.columns = now(columns_);
   board.rows = now(rows_);
   board.square_mm = now(square_);
+  board.tag_spacing = now(tag_gap_);
   return board;
 }
 
 LensSettings LensForm::settings() const {
   LensSettings settings;
   settings.pattern = board().pattern;
+  settings.tag_spacing = now(tag_gap_);
   settings.model = model_->currentIndex() == 0 ? CameraModel::kBrown : CameraModel::kFisheye;
   settings.distance_mm = now(distance_);
   return settings;

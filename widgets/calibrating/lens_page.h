@@ -48,13 +48,15 @@ class LensForm : public Translated<QWidget> {
  private:
   void name_parts();
   void show_port();
+  void show_tag_gap();
 
   QFormLayout* form_;
   QComboBox *pattern_, *model_;
   IntegerField *columns_, *rows_;
-  NumberField *square_, *distance_, *gap_, *plate_, *plate_index_, *medium_index_;
+  NumberField *square_, *tag_gap_, *distance_, *gap_, *plate_, *plate_index_, *medium_index_;
   QCheckBox* has_port_;
-  QLabel *pattern_label_, *size_label_, *square_label_, *by_label_, *model_label_, *distance_label_;
+  QLabel *pattern_label_, *size_label_, *square_label_, *tag_gap_label_, *by_label_, *model_label_,
+      *distance_label_;
   QLabel *gap_label_, *plate_label_, *plate_index_label_, *medium_index_label_;
 };
 
