@@ -184,15 +184,23 @@ int LevelsLook::used_bits() const {
   return std::min(depth_, bits_in_use(static_cast<int>(brightest), 8));
 }
 
+/// Part of the pixels that narrow luma does not reach, but in a few next to edges that compression
+/// made.
+double LevelsLook::part_too_dark() const {
+  constexpr double kTooDark = 9.0;
+  return 1.0 - part_from(kTooDark);
+}
+
 GreyLevels LevelsLook::levels() const {
   GreyLevels levels;
   levels.bits = depth_ > 8 && used_bits() < depth_ ? used_bits() : 0;
-  // Narrow luma is never this dark but for a few pixels next to edges that compression made.
-  constexpr double kTooDark = 9.0, kFewPixels = 1e-3;
-  const bool shows_full = 1.0 - part_from(kTooDark) > kFewPixels;
-  const bool is_named_narrow = named_range_ == AVCOL_RANGE_MPEG,
-             may_be_narrow = is_luma_ && named_range_ == AVCOL_RANGE_UNSPECIFIED;
-  levels.is_narrow = !is_rgb_ && (is_named_narrow || (may_be_narrow && !shows_full));
+  if (is_rgb_) return levels;
+  // What a file states is overruled by many pixels only.
+  constexpr double kFewPixels = 1e-3, kManyPixels = 1e-2;
+  if (named_range_ == AVCOL_RANGE_MPEG)
+    levels.is_narrow = part_too_dark() <= kManyPixels;
+  else if (named_range_ == AVCOL_RANGE_UNSPECIFIED)
+    levels.is_narrow = is_luma_ && part_too_dark() <= kFewPixels;
   return levels;
 }
 
@@ -207,6 +215,11 @@ std::vector<Message> LevelsLook::remarks() const {
         en::say("of its {} bits per pixel only the lower {} are in use: these were "
                 "taken as the entire range",
                 depth_, levels.bits));
+  if (!is_rgb_ && named_range_ == AVCOL_RANGE_MPEG && !levels.is_narrow)
+    remarks.push_back(
+        en::say("it states that its brightness is stored as 16 to 235, but {:.0f} % of its pixels "
+                "are below 9: 0 to 255 was assumed",
+                100 * part_too_dark()));
   if (is_luma_ && named_range_ == AVCOL_RANGE_UNSPECIFIED)
     remarks.push_back(
         levels.is_narrow

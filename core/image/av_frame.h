@@ -60,6 +60,7 @@ class LevelsLook {
  private:
   [[nodiscard]] int used_bits() const;
   [[nodiscard]] double part_from(double level) const;
+  [[nodiscard]] double part_too_dark() const;
 
   std::vector<std::uint64_t> counts_;  // of luma, grey or green, by value
   std::uint64_t pixels_ = 0;

@@ -1,6 +1,7 @@
 #include "core/image/image_file.h"
 
 #include "core/base/atomic_file.h"
+#include "core/base/letters.h"
 #include "core/image/grey_range.h"
 #include "core/image/jpeg.h"
 
@@ -29,7 +30,8 @@ struct ImageHeader {
   int channels = 0;  ///< without the alpha channel
   bool is_float = false;
   bool has_transparency = false;
-  int orientation = 0;  ///< that viewers are asked for, as in Exif; 0 and 1: as it is
+  bool is_white_zero = false;  ///< TIFF: 0 is white
+  int orientation = 0;         ///< that viewers are asked for, as in Exif; 0 and 1: as it is
 };
 
 /// Of a chunk's type and data (PNG, third edition, annex D): a CRC of polynomial 0xEDB88320.
@@ -123,6 +125,9 @@ Result<ImageHeader> tiff_header(std::string_view content) {
         break;
       case 258:
         header.bits = static_cast<int>(entry.value);
+        break;
+      case 262:
+        header.is_white_zero = entry.value == 0;
         break;
       case kOrientationTag:
         header.orientation = static_cast<int>(entry.value);
@@ -253,7 +258,7 @@ Result<ImageHeader> bmp_header(std::string_view content) {
   if (bytes.u32(14) < 40) return damaged_image(en::say("its header is of an obsolete kind"));
   header.width_px = static_cast<std::int32_t>(bytes.u32(18));
   header.height_px = std::abs(static_cast<std::int64_t>(height));
-  header.bits = 8;
+  header.bits = std::min(8, bits_per_pixel);
   header.channels = bits_per_pixel > 8 ? 3 : 1;
   header.has_transparency = bits_per_pixel == 32;
   if (header.width_px < 0) return damaged_image(en::say("its width is negative"));
@@ -356,15 +361,22 @@ cv::Mat decode(const Encoded& encoded) {
   }
   std::string content = encoded.header.format == ImageFormat::kPng ? critical_parts(encoded.content)
                                                                    : encoded.content;
+  cv::Mat image;
   try {
-    return cv::imdecode(cv::Mat(1, static_cast<int>(content.size()), CV_8UC1, content.data()),
-                        cv::IMREAD_UNCHANGED);
+    image = cv::imdecode(cv::Mat(1, static_cast<int>(content.size()), CV_8UC1, content.data()),
+                         cv::IMREAD_UNCHANGED);
   } catch (const cv::Exception&) {
     return {};
   }
+  // OpenCV turns only 8 bits round.
+  if (encoded.header.is_white_zero && image.depth() == CV_16U) cv::bitwise_not(image, image);
+  return image;
 }
 
-Error not_decodable(const std::filesystem::path& file) {
+Error not_decodable(const Encoded& encoded, const std::filesystem::path& file) {
+  if (encoded.header.format == ImageFormat::kTiff)
+    return {en::say("the image is damaged, truncated, or of a rare kind of TIFF"), file.string(),
+            en::say("copy it again, or save it as PNG")};
   return {en::say("the image is damaged or truncated"), file.string(),
           en::say("copy or record it again")};
 }
@@ -375,6 +387,9 @@ std::optional<Error> unfit_for_grey(const ImageHeader& header) {
                          "are needed",
                          header.bits),
                  "", en::say("the camera's own images")};
+  if (header.bits == 1)
+    return Error{en::say("the image is black and white; 8 to 16 bits per pixel are needed"), "",
+                 en::say("the camera's own images")};
   if (header.channels != 1 && header.channels != 3)
     return Error{en::say("the image has {} channels; 1 or 3 are needed", header.channels), "",
                  en::say("the image as the camera took it")};
@@ -418,9 +433,7 @@ double colourfulness(const cv::Mat& bgr, const cv::Mat& grey) {
 }
 
 Result<std::vector<unsigned char>> encode(const std::filesystem::path& file, const cv::Mat& image) {
-  std::string ending = file.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string ending = lowered_extension(file);
   const int type = image.type();
   const bool is_png = ending == ".png" && (type == CV_8UC1 || type == CV_8UC3);
   const bool is_tiff =
@@ -465,7 +478,7 @@ Result<cv::Mat> read_grey_image(const std::filesystem::path& file, std::string* 
   if (!encoded) return encoded.error();
   if (auto problem = unfit_for_grey(encoded->header)) return at(file, *problem);
   cv::Mat image = decode(*encoded);
-  if (image.empty()) return not_decodable(file);
+  if (image.empty()) return not_decodable(*encoded, file);
   if (!remove_alpha(image))
     return Error{en::say("the image has transparent parts; a camera image has none"), file.string(),
                  en::say("the image as the camera took it, without an alpha channel")};
@@ -514,8 +527,8 @@ Result<cv::Mat> read_float_image(const std::filesystem::path& file) {
     return Error{en::say("the image is no 32-bit floating-point TIFF with 1 or 3 channels"),
                  file.string(), en::say("a depth or points image written by this program")};
   cv::Mat image = decode(*encoded);
-  if (image.empty()) return not_decodable(file);
-  if (image.type() != CV_32FC1 && image.type() != CV_32FC3) return not_decodable(file);
+  if (image.empty()) return not_decodable(*encoded, file);
+  if (image.type() != CV_32FC1 && image.type() != CV_32FC3) return not_decodable(*encoded, file);
   return image;
 }
 

@@ -25,9 +25,9 @@ struct ImageLook {
 /// Reads an image as grey (CV_8UC1). A colour image of a scene in white light is converted to grey;
 /// of 16 bits per pixel the upper 8 in use are taken. Missing, empty and truncated files are
 /// refused, also where the decoder would silently fill them up. So are strong colours, float
-/// images, transparency, and images with no pixel above 4 ("all black"). Each error names the file.
-/// `note`: the text stored by write_image(); empty where there is none. `look`: of the images
-/// before, too.
+/// images, black-and-white ones of 1 bit, transparency, and images with no pixel above 4 ("all
+/// black"). Each error names the file. `note`: the text stored by write_image(); empty where there
+/// is none. `look`: of the images before, too.
 [[nodiscard]] Result<cv::Mat> read_grey_image(const std::filesystem::path& file,
                                               std::string* note = nullptr,
                                               ImageLook* look = nullptr);

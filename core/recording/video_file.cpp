@@ -28,6 +28,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr double kTypicalRate = 30;  // frames per second
+
 /// A packet of the video. Times are in the stream's steps, or AV_NOPTS_VALUE.
 struct Entry {
   std::int64_t shown_at, decoded_at;
@@ -45,13 +47,17 @@ Error unreadable(const Message& what, const fs::path& file) {
 std::vector<Entry> entries_by_reading(const VideoInput& input) {
   std::vector<Entry> entries;
   const AvPtr<AVPacket> packet(av_packet_alloc());
-  while (input.read(*packet))
+  // libav calls every packet behind a key frame on the same Ogg page a key frame.
+  const bool are_keys_unknown = std::string_view(input.context->iformat->name) == "ogg";
+  while (input.read(*packet)) {
+    const bool is_key = (packet->flags & AV_PKT_FLAG_KEY) != 0;
     entries.push_back({packet->pts,
                        packet->dts,
                        packet->pos,
-                       (packet->flags & AV_PKT_FLAG_KEY) != 0,
+                       is_key && (!are_keys_unknown || entries.empty()),
                        (packet->flags & AV_PKT_FLAG_DISCARD) == 0,
                        {}});
+  }
   return entries;
 }
 
@@ -149,6 +155,7 @@ struct VideoFile::State {
   [[nodiscard]] Status add_jpeg(std::size_t number, Frame& frame);
   [[nodiscard]] Status find_order(const Job& job);
   [[nodiscard]] std::int64_t Entry::*time() const;
+  [[nodiscard]] double rate() const;
   void order_by_time();
   [[nodiscard]] Status order_by_decoding(const Job& job);
   void find_times();
@@ -289,6 +296,13 @@ std::int64_t Entry::*VideoFile::State::time() const {
   return is_timed ? &Entry::shown_at : &Entry::decoded_at;
 }
 
+double VideoFile::State::rate() const {
+  const AVStream& video = *input.video();
+  for (const AVRational rate : {video.avg_frame_rate, video.r_frame_rate})
+    if (rate.num > 0 && rate.den > 0) return av_q2d(rate);
+  return kTypicalRate;
+}
+
 void VideoFile::State::order_by_time() {
   for (std::size_t i = 0; i < entries.size(); ++i)
     if (entries[i].is_shown) shown.push_back(i);
@@ -323,17 +337,28 @@ Status VideoFile::State::order_by_decoding(const Job& job) {
   return {};
 }
 
-/// Where the decoder changed the order, frames take the times of decoding one after the other.
+/// Where the decoder changed the order, frames take the times of decoding one after the other;
+/// where the file has no times, or repeats most of them, those of its frame rate.
 void VideoFile::State::find_times() {
   const AVStream& video = *input.video();
   std::vector<std::int64_t> steps;
   for (const auto of = time(); const std::size_t i : shown) steps.push_back(entries[i].*of);
   std::sort(steps.begin(), steps.end());
-  const bool is_timed = steps.front() != AV_NOPTS_VALUE;
-  const double rate = video.avg_frame_rate.num > 0 ? av_q2d(video.avg_frame_rate) : 30.0;
+  std::vector<std::int64_t> different = steps;
+  different.erase(std::unique(different.begin(), different.end()), different.end());
+  const bool is_timed = steps.front() != AV_NOPTS_VALUE && 2 * different.size() > steps.size();
+  // Without times a higher rate is that of the file's clock.
+  const double assumed = rate() < 500 ? rate() : kTypicalRate;
   for (std::size_t i = 0; i < steps.size(); ++i)
     times_ns.push_back(is_timed ? av_rescale_q(steps[i], video.time_base, {1, 1000000000})
-                                : std::llround(1e9 * static_cast<double>(i) / rate));
+                                : std::llround(1e9 * static_cast<double>(i) / assumed));
+  // Of streams without a container libav makes times up.
+  const bool are_of_file = (input.context->iformat->flags & AVFMT_NOTIMESTAMPS) == 0;
+  if (steps.size() > 1 && !(is_timed && are_of_file))
+    remarks.push_back(en::say(
+        "it holds no times of its frames: {:.4g} frames per second were assumed",
+        1e9 * static_cast<double>(steps.size() - 1) /
+            static_cast<double>(std::max<std::int64_t>(1, times_ns.back() - times_ns.front()))));
 }
 
 /// At some frames of a video by another program: those that can be decoded alone, if there are
@@ -354,7 +379,11 @@ void VideoFile::State::look() {
         candidates[looks < 2 ? 0 : k * (candidates.size() - 1) / (looks - 1)];
     Frame frame;
     if (decoder != nullptr) {
-      if (decode(number)) look.add(*av_frame);
+      if (!decode(number)) continue;
+      // A VP8 stream cannot state its range, so that its decoder invents one.
+      if (decoder->codec_id == AV_CODEC_ID_VP8)
+        av_frame->color_range = input.video()->codecpar->color_range;
+      look.add(*av_frame);
     } else if (add_jpeg(number, frame)) {
       look.add(frame.grey);
     }
@@ -441,12 +470,7 @@ std::int64_t VideoFile::time_ns(std::size_t number) const {
 
 const std::vector<Message>& VideoFile::remarks() const { return state_->remarks; }
 
-double VideoFile::frames_per_s() const {
-  const AVStream& video = *state_->input.video();
-  for (const AVRational rate : {video.avg_frame_rate, video.r_frame_rate})
-    if (rate.num > 0 && rate.den > 0) return av_q2d(rate);
-  return 30.0;
-}
+double VideoFile::frames_per_s() const { return state_->rate(); }
 
 Result<FramePtr> VideoFile::frame(std::size_t number) {
   State& s = *state_;

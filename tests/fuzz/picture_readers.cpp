@@ -35,6 +35,21 @@ std::vector<std::string> video_seeds() {
   return seeds;
 }
 
+std::vector<std::string> foreign_video_seeds() {
+  std::vector<std::string> seeds;
+  for (const char* options :
+       {"-c:v libx264 -bf 2 -f avi", "-c:v libx264 -bf 2 -f mp4", "-c:v mpeg4 -bf 2 -f avi",
+        "-c:v mpeg2video -bf 2 -f mpegts", "-c:v libvpx-vp9 -f webm", "-c:v png -f mov",
+        "-pix_fmt gray16le -f matroska -c:v ffv1", "-pix_fmt gray -f yuv4mpegpipe -strict -1"})
+    seeds.push_back(written_by("v", [&](const std::filesystem::path& file) {
+      output_of(
+          "ffmpeg -v quiet -nostdin -y -f lavfi -i testsrc=s=16x16:r=25 -frames:v 4 -threads "
+          "1 " +
+          std::string(options) + " '" + file.string() + "' </dev/null");
+    }));
+  return seeds;
+}
+
 /// Whole blocks only, each within the file.
 Reading read_index(const std::string& bytes) {
   static const ScratchFile file("v.mkv");
@@ -52,17 +67,18 @@ Reading read_index(const std::string& bytes) {
                     });
 }
 
-Reading read_video(const std::string& bytes) {
-  static const ScratchFile file("v.mkv");
-  auto video = VideoFile::open(file.write(bytes));
-  if (!video) return {video.error()};
-  if (video->frame_count() == 0) return {std::nullopt, "a video without frames"};
-  for (std::size_t i = 0; i < std::min<std::size_t>(video->frame_count(), 4); ++i) {
-    const auto frame = video->frame(i);
-    if (!frame) return {frame.error()};
-    if ((*frame)->grey.empty()) return {std::nullopt, "a frame without pixels"};
-  }
-  return {std::nullopt, file.stray()};
+std::function<Reading(const std::string&)> as_video(const std::string& name) {
+  return [file = ScratchFile(name)](const std::string& bytes) -> Reading {
+    auto video = VideoFile::open(file.write(bytes));
+    if (!video) return {video.error()};
+    if (video->frame_count() == 0) return {std::nullopt, "a video without frames"};
+    for (std::size_t i = 0; i < std::min<std::size_t>(video->frame_count(), 4); ++i) {
+      const auto frame = video->frame(i);
+      if (!frame) return {frame.error()};
+      if ((*frame)->grey.empty()) return {std::nullopt, "a frame without pixels"};
+    }
+    return {std::nullopt, file.stray()};
+  };
 }
 
 std::vector<std::string> depth_video_seeds() {
@@ -185,7 +201,8 @@ std::vector<Reader> picture_readers() {
       "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
   return {
       {"matroska_index", video_seeds, read_index},
-      {"video", video_seeds, read_video},
+      {"video", video_seeds, as_video("v.mkv")},
+      {"foreign_video", foreign_video_seeds, as_video("v")},
       {"depth_video", depth_video_seeds, read_depth_video},
       {"picture", grey_seeds,
        as_picture("p.png", grey_of_file,

@@ -49,13 +49,39 @@ constexpr const char* kGreySteps = "format=gray,geq=lum='30+7*N'";
 constexpr const char* kFullSteps =
     "format=yuv420p,geq=lum='if(lt(X\\,8)\\,8\\,30+7*N)':cb=128:cr=128";
 
+/// A video of GStreamer's, 64 x 48, of grey 30 + 7 n as red, green and blue. `pipeline`: from the
+/// conversion to the container. False: this GStreamer cannot.
+bool make_by_gstreamer(const fs::path& file, const std::string& pipeline) {
+  const TemporaryFolder folder;
+  std::ofstream raw(folder / "raw", std::ios::binary);
+  for (int i = 0; i < kFrames; ++i)
+    raw << std::string(std::size_t{64} * 48 * 3, static_cast<char>(30 + 7 * i));
+  raw.close();
+  output_of(
+      fmt::format("gst-launch-1.0 -q filesrc location='{}' ! rawvideoparse format=rgb "
+                  "width=64 height=48 framerate=25/1 ! videoconvert ! {} ! filesink "
+                  "location='{}' >/dev/null 2>&1",
+                  (folder / "raw").string(), pipeline, file.string()));
+  std::error_code ignored;
+  return fs::file_size(file, ignored) > 0 && !ignored;
+}
+
+constexpr const char* kByGStreamer = nullptr;
+
 struct Foreign {
   const char* name;     // of the file
-  const char* source;   // filters
-  const char* options;  // of the encoder
+  const char* source;   // filters, or kByGStreamer
+  const char* options;  // of the encoder, or GStreamer's pipeline
   double tolerance;     // grey levels
   const char* remark;   // part of what is said; "": nothing is
 };
+
+template <class Made>
+std::string name_of(const testing::TestParamInfo<Made>& info) {
+  std::string name = info.param.name;
+  std::erase_if(name, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; });
+  return name;
+}
 
 class ForeignVideo : public testing::TestWithParam<Foreign> {};
 
@@ -63,8 +89,9 @@ TEST_P(ForeignVideo, IsReadInOrderWithItsLevelsAndTimes) {
   const Foreign& made = GetParam();
   const TemporaryFolder folder;
   const fs::path file = folder / made.name;
-  if (!make_video(file, made.source, made.options))
-    GTEST_SKIP() << "ffmpeg is not here or lacks a codec: " << made.options;
+  if (!(made.source != kByGStreamer ? make_video(file, made.source, made.options)
+                                    : make_by_gstreamer(file, made.options)))
+    GTEST_SKIP() << "the program is not here or lacks a codec: " << made.options;
   auto source = open_source({file});
   ASSERT_TRUE(source.ok()) << source.error().sentence();
   ASSERT_EQ((*source)->count(), static_cast<std::size_t>(kFrames));
@@ -114,8 +141,21 @@ INSTANTIATE_TEST_SUITE_P(
         Foreign{"clip.webm", kGreySteps, "-c:v libvpx-vp9 -lossless 1 -pix_fmt yuv420p", 1.2, ""},
         Foreign{"clip.y4m", kGreySteps, "-pix_fmt gray -strict -1", 0, ""},
         Foreign{"clip.flv", kGreySteps, "-c:v libx264 -qp 0 -bf 2 -pix_fmt yuvj420p", 1.2, ""},
+        Foreign{"disc.vob", kGreySteps, "-c:v mpeg2video -q:v 1 -bf 2 -g 12", 2.5, ""},
+        Foreign{"screen.wmv", kGreySteps, "-c:v wmv2 -q:v 1", 2.5, kNoRange},
+        Foreign{"part.nut", kGreySteps, "-c:v libx264 -qp 0 -bf 2 -g 12 -pix_fmt yuvj420p", 1.2,
+                ""},
+        Foreign{"free.ogv", kGreySteps, "-c:v libtheora -q:v 10", 2.5, kNoRange},
+        Foreign{"stream.h264", kGreySteps, "-c:v libx264 -qp 0 -bf 2 -g 12 -pix_fmt yuvj420p", 1.2,
+                "no times of its frames: 25 frames per second"},
+        Foreign{"stream.m4v", kGreySteps, "-c:v mpeg4 -q:v 1 -bf 2 -g 12 -f m4v", 2.5, kNoRange},
         // Range and depth of grey.
         Foreign{"full.mp4", kFullSteps, "-c:v libx264 -qp 0 -bf 2", 0, "0 to 255 was assumed"},
+        Foreign{"full8.webm", kFullSteps, "-c:v libvpx -b:v 8M -qmax 4", 2,
+                "does not state the range of its brightness: it has levels below 9"},
+        Foreign{"wrong.mp4", kFullSteps,
+                "-c:v libx264 -qp 0 -bsf:v h264_metadata=video_full_range_flag=0", 0,
+                "it states that its brightness is stored as 16 to 235, but 12 %"},
         Foreign{"narrow.mp4", kGreySteps, "-c:v libx264 -qp 0 -pix_fmt yuv420p", 1.2,
                 "16 to 235 was assumed"},
         Foreign{"of16.mkv", "format=gray16le,geq=lum='(30+7*N)*16'", "-c:v ffv1 -pix_fmt gray16le",
@@ -124,11 +164,46 @@ INSTANTIATE_TEST_SUITE_P(
                 "-c:v ffv1 -pix_fmt gray16le", 0, ""},
         Foreign{"of10.mkv", "format=gray10le,geq=lum='(30+7*N)*4+3'", "-c:v ffv1 -pix_fmt gray10le",
                 0, ""}),
-    [](const testing::TestParamInfo<Foreign>& info) {
-      std::string name = info.param.name;
-      std::erase_if(name, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; });
-      return name;
-    });
+    name_of<Foreign>);
+
+INSTANTIATE_TEST_SUITE_P(
+    ByGStreamer, ForeignVideo,
+    testing::Values(
+        Foreign{"vp8.webm", kByGStreamer, "vp8enc deadline=1 max-quantizer=4 ! webmmux", 2.5, ""},
+        Foreign{"vp9.mkv", kByGStreamer, "vp9enc deadline=1 max-quantizer=4 ! matroskamux", 2.5,
+                ""},
+        Foreign{"planes.y4m", kByGStreamer, "video/x-raw,format=I420 ! y4menc", 1.2, kNoRange},
+        Foreign{"yuy2.avi", kByGStreamer, "video/x-raw,format=YUY2 ! avimux", 1.2, kNoRange},
+        Foreign{"uyvy.mov", kByGStreamer, "video/x-raw,format=UYVY ! qtmux", 1.2, kNoRange},
+        Foreign{"bgr.avi", kByGStreamer, "video/x-raw,format=BGR ! avimux", 1.2, ""},
+        Foreign{"grey.mkv", kByGStreamer, "video/x-raw,format=GRAY8 ! matroskamux", 1.2, ""},
+        Foreign{"ffv1.mkv", kByGStreamer, "avenc_ffv1 ! matroskamux", 1.2, ""},
+        Foreign{"jpeg.avi", kByGStreamer, "jpegenc quality=95 ! avimux", 1.2, ""},
+        Foreign{"jpeg.mov", kByGStreamer, "jpegenc quality=95 ! qtmux", 1.2, ""},
+        Foreign{"png.mov", kByGStreamer, "pngenc ! qtmux", 1.2, ""},
+        Foreign{"prores.mov", kByGStreamer, "avenc_prores_ks ! qtmux", 1.2, ""},
+        Foreign{"theora.ogv", kByGStreamer, "theoraenc quality=63 ! oggmux", 2.5, kNoRange},
+        Foreign{"flash.flv", kByGStreamer, "avenc_flv bitrate=4000000 ! flvmux", 2.5, kNoRange},
+        Foreign{"frames.avi", kByGStreamer, "avenc_mpeg4 bitrate=4000000 max-bframes=2 ! avimux",
+                2.5, kNoRange},
+        Foreign{"stream.mjpg", kByGStreamer, "jpegenc quality=95", 1.2,
+                "no times of its frames: 25 frames per second"}),
+    name_of<Foreign>);
+
+TEST(ForeignVideo, TimesThatAreAllTheSameAreNone) {
+  const TemporaryFolder folder;
+  // From raw frames GStreamer's encoder leaves all at time 0.
+  if (!make_by_gstreamer(folder / "v.mp4", "avenc_mpeg4 bitrate=4000000 max-bframes=2 ! mp4mux"))
+    GTEST_SKIP() << "GStreamer is not here";
+  auto video = VideoFile::open(folder / "v.mp4");
+  ASSERT_TRUE(video.ok()) << video.error().sentence();
+  EXPECT_THAT(texts_of(video->remarks()), HasSubstr("30 frames per second were assumed"));
+  for (std::size_t i = 0; i < kFrames; ++i) {
+    EXPECT_NEAR(static_cast<double>(video->time_ns(i)) * 1e-9, static_cast<double>(i) / 30, 1e-9);
+    EXPECT_NEAR((*video->frame(i))->grey.at<std::uint8_t>(24, 40), 30 + 7 * static_cast<int>(i),
+                2.5);
+  }
+}
 
 /// What is said about a video.
 std::string remarks_on(const std::string& source, const std::string& options) {
@@ -243,6 +318,75 @@ std::string read_refusal(const fs::path& file) {
   const auto read = read_grey_image(file);
   return read ? "" : read.error().sentence();
 }
+
+/// Images of ImageMagick's: a gradient of grey, and as raw bytes what it shows.
+struct ForeignImage {
+  const char* name;     // of the file
+  const char* options;  // of ImageMagick's
+  int tolerance;        // grey levels
+  const char* refusal;  // part of it; "": the image is read
+};
+
+class ByImageMagick : public testing::TestWithParam<ForeignImage> {};
+
+TEST_P(ByImageMagick, IsReadWithItsLevelsOrRefused) {
+  const ForeignImage& made = GetParam();
+  const TemporaryFolder folder;
+  const auto convert = [&](const std::string& options, const std::string& name) {
+    output_of(
+        fmt::format("cd '{}' && convert -size 64x48 'gradient:gray(12%)-gray(78%)' -colorspace "
+                    "gray {} {} 2>/dev/null",
+                    folder.path().string(), options, name));
+    return fs::exists(folder / name);
+  };
+  if (!convert("-depth 8", "truth.gray") || !convert(made.options, made.name))
+    GTEST_SKIP() << "ImageMagick is not here or lacks the format";
+  const auto read = read_grey_image(folder / made.name);
+  if (!std::string(made.refusal).empty()) {
+    ASSERT_FALSE(read.ok());
+    EXPECT_THAT(read.error().sentence(), HasSubstr(made.refusal));
+    return;
+  }
+  ASSERT_TRUE(read.ok()) << read.error().sentence();
+  std::ifstream stream(folder / "truth.gray", std::ios::binary);
+  const std::string truth{std::istreambuf_iterator<char>(stream), {}};
+  ASSERT_EQ(truth.size(), read->total());
+  for (int v = 0; v < 48; ++v) {
+    const auto level = static_cast<std::uint8_t>(truth[static_cast<std::size_t>(v) * 64 + 30]);
+    EXPECT_NEAR(read->at<std::uint8_t>(v, 30), level, made.tolerance) << v;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Made, ByImageMagick,
+    testing::Values(
+        ForeignImage{"plain.png", "-depth 8", 0, ""}, ForeignImage{"deep.png", "-depth 16", 1, ""},
+        ForeignImage{"interlaced.png", "-depth 8 -interlace PNG", 0, ""},
+        ForeignImage{"colours.png", "-depth 8 -define png:color-type=2", 0, ""},
+        ForeignImage{"alpha.png", "-depth 8 -define png:color-type=6", 0, ""},
+        ForeignImage{"grey-alpha.png", "-depth 8 -define png:color-type=4", 0, ""},
+        ForeignImage{"lzw.tif", "-depth 8 -compress LZW", 0, ""},
+        ForeignImage{"deflate.tiff", "-depth 16 -compress Zip", 1, ""},
+        ForeignImage{"big-endian.tif", "-depth 16 -endian MSB", 1, ""},
+        ForeignImage{"tiles.tif", "-depth 16 -define tiff:tile-geometry=16x16", 1, ""},
+        ForeignImage{"bytes-in-tiles.tif", "-depth 8 -define tiff:tile-geometry=16x16", 0,
+                     "of a rare kind of TIFF"},
+        ForeignImage{"white-is-0.tif", "-depth 8 -negate -define quantum:polarity=min-is-white", 0,
+                     ""},
+        ForeignImage{"deep-white-is-0.tif",
+                     "-depth 16 -negate -define quantum:polarity=min-is-white", 1, ""},
+        ForeignImage{"bits.TIF", "-depth 8 -compress RLE", 0, ""},
+        ForeignImage{"in-tiff.tif", "-depth 8 -compress JPEG -quality 95", 2, ""},
+        ForeignImage{"progressive.jpg", "-interlace JPEG -quality 95", 2, ""},
+        ForeignImage{"colours.JPEG", "-type TrueColor -quality 95", 2, ""},
+        ForeignImage{"half.jpg", "-type TrueColor -sampling-factor 4:2:0 -quality 95", 2, ""},
+        ForeignImage{"plain.bmp", "-depth 8", 1, ""}, ForeignImage{"plain.pgm", "-depth 8", 0, ""},
+        ForeignImage{"deep.pgm", "-depth 16", 1, ""},
+        ForeignImage{"two.png", "-monochrome", 0, "is black and white"},
+        ForeignImage{"fax.tif", "-monochrome -compress Group4", 0, "is black and white"},
+        ForeignImage{"inks.jpg", "-colorspace CMYK", 0, "has 4 channels"},
+        ForeignImage{"letters.pgm", "-compress none", 0, "not an image of a known"}),
+    name_of<ForeignImage>);
 
 TEST(ForeignImages, AnOpaqueAlphaChannelIsNone) {
   const TemporaryFolder folder;
