@@ -2083,8 +2083,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
 <context>
     <name>alltact::LensForm</name>
     <message>
-        <source>&amp;Gap / side of tags</source>
-        <translation>&amp;Lücke / Seite der Tags</translation>
+        <source>Ga&amp;p / side of tags</source>
+        <translation>Lü&amp;cke / Seite der Tags</translation>
     </message>
     <message>
         <source>Gap of two tags as a fraction of their side</source>
@@ -2242,8 +2242,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Aus einer Kameradatei</translation>
     </message>
     <message>
-        <source>Or measured with images of a board</source>
-        <translation>Oder mit Bildern einer Tafel gemessen</translation>
+        <source>Measured with images of a board</source>
+        <translation>Mit Bildern einer Tafel gemessen</translation>
     </message>
     <message>
         <source>Camera file</source>
@@ -2330,8 +2330,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Objektiv</translation>
     </message>
     <message>
-        <source>Or live, with a board</source>
-        <translation>Oder live mit einer Tafel</translation>
+        <source>Live, with a board</source>
+        <translation>Live mit einer Tafel</translation>
     </message>
     <message>
         <source>&amp;Take this board (Space)</source>

@@ -2071,8 +2071,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
 <context>
     <name>alltact::LensForm</name>
     <message>
-        <source>&amp;Gap / side of tags</source>
-        <translation>标签间隙 / 边长(&amp;G)</translation>
+        <source>Ga&amp;p / side of tags</source>
+        <translation>标签间隙 / 边长(&amp;P)</translation>
     </message>
     <message>
         <source>Gap of two tags as a fraction of their side</source>
@@ -2230,8 +2230,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>来自相机文件</translation>
     </message>
     <message>
-        <source>Or measured with images of a board</source>
-        <translation>或者用标定板图像测量</translation>
+        <source>Measured with images of a board</source>
+        <translation>用标定板图像测量</translation>
     </message>
     <message>
         <source>Camera file</source>
@@ -2318,8 +2318,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>镜头</translation>
     </message>
     <message>
-        <source>Or live, with a board</source>
-        <translation>或者用标定板实时测量</translation>
+        <source>Live, with a board</source>
+        <translation>用标定板实时测量</translation>
     </message>
     <message>
         <source>&amp;Take this board (Space)</source>

@@ -7,6 +7,7 @@
 #include "app/studio/window_bars.h"
 #include "core/base/program.h"
 #include "widgets/background_work.h"
+#include "widgets/controls/wheel_rule.h"
 #include "widgets/pages/accuracy_page.h"
 #include "widgets/pages/calibrate_page.h"
 #include "widgets/pages/inspect_page.h"
@@ -64,6 +65,7 @@ MainWindow::MainWindow(const StudioOptions& options, ProgramAppearance& program_
       finger_menu_(new FingerMenu(work_, this)),
       source_menu_(new SourceMenu(work_, finder_, this)),
       stack_(new QStackedWidget) {
+  let_wheel_scroll(*qApp);
   setWindowIcon(QIcon(symbol(QStringLiteral("alltact"), Qt::black, 64, 1)));
   make_pages(options);
   navigation_ = new NavigationBar(pages_);

@@ -290,8 +290,8 @@ void LensPage::connect_parts() {
 
 void LensPage::name_parts() {
   file_group_->setTitle(tr("From a camera file"));
-  board_group_->setTitle(tr("Or measured with images of a board"));
-  live_group_->setTitle(tr("Or live, with a board"));
+  board_group_->setTitle(tr("Measured with images of a board"));
+  live_group_->setTitle(tr("Live, with a board"));
   file_->setAccessibleName(tr("Camera file"));
   file_->setPlaceholderText(
       tr("camera.yaml, or a file of ROS, OpenCV, Kalibr, mrcal, PhotonVision or Matlab"));
@@ -560,7 +560,7 @@ void LensForm::name_parts() {
   by_label_->setText(tr("by"));
   square_label_->setText(tr("&Side of a square"));
   square_->setAccessibleName(tr("Side of a square"));
-  tag_gap_label_->setText(tr("&Gap / side of tags"));
+  tag_gap_label_->setText(tr("Ga&p / side of tags"));
   tag_gap_->setAccessibleName(tr("Gap of two tags as a fraction of their side"));
   tag_gap_->setToolTip(tr("The spacing printed on the board, such as 0.3"));
   model_label_->setText(tr("Lens"));
