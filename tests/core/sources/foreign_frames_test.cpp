@@ -66,6 +66,41 @@ bool make_by_gstreamer(const fs::path& file, const std::string& pipeline) {
   return fs::file_size(file, ignored) > 0 && !ignored;
 }
 
+/// Locales of glibc, made once; C alone where they cannot be made.
+const std::vector<std::string>& locales() {
+  static const TemporaryFolder folder;
+  static const std::vector<std::string> made = [] {
+    ::setenv("LOCPATH", folder.path().c_str(), 1);
+    std::vector<std::string> names{"C"};
+    for (const std::string name : {"tr_TR", "de_DE", "zh_CN"}) {
+      const std::string locale = name + ".UTF-8";
+      output_of(fmt::format("localedef -i {} -f UTF-8 '{}' 2>/dev/null", name,
+                            (folder / locale).string()));
+      if (std::setlocale(LC_ALL, locale.c_str()) != nullptr) names.push_back(locale);
+    }
+    std::setlocale(LC_ALL, "C");
+    return names;
+  }();
+  return made;
+}
+
+template <class Check>
+void in_every_locale(const Check& check) {
+  for (const std::string& locale : locales()) {
+    SCOPED_TRACE(locale);
+    std::setlocale(LC_ALL, locale.c_str());
+    check();
+    std::setlocale(LC_ALL, "C");
+  }
+}
+
+TEST(ForeignVideo, LocalesAreMade) {
+  if (locales().size() < 4) GTEST_SKIP() << "localedef makes no locales";
+  std::setlocale(LC_ALL, "de_DE.UTF-8");
+  EXPECT_EQ(std::stod("0,5"), 0.5);
+  std::setlocale(LC_ALL, "C");
+}
+
 constexpr const char* kByGStreamer = nullptr;
 
 struct Foreign {
@@ -85,13 +120,7 @@ std::string name_of(const testing::TestParamInfo<Made>& info) {
 
 class ForeignVideo : public testing::TestWithParam<Foreign> {};
 
-TEST_P(ForeignVideo, IsReadInOrderWithItsLevelsAndTimes) {
-  const Foreign& made = GetParam();
-  const TemporaryFolder folder;
-  const fs::path file = folder / made.name;
-  if (!(made.source != kByGStreamer ? make_video(file, made.source, made.options)
-                                    : make_by_gstreamer(file, made.options)))
-    GTEST_SKIP() << "the program is not here or lacks a codec: " << made.options;
+void expect_in_order(const fs::path& file, const Foreign& made) {
   auto source = open_source({file});
   ASSERT_TRUE(source.ok()) << source.error().sentence();
   ASSERT_EQ((*source)->count(), static_cast<std::size_t>(kFrames));
@@ -110,12 +139,28 @@ TEST_P(ForeignVideo, IsReadInOrderWithItsLevelsAndTimes) {
   } else {
     EXPECT_THAT(said, HasSubstr(made.remark));
   }
-  // Backwards, too.
+}
+
+void expect_backwards(const fs::path& file, const Foreign& made) {
   auto video = VideoFile::open(file);
+  ASSERT_TRUE(video.ok()) << video.error().sentence();
   for (const int number : {23, 11, 12, 5, 4, 0, 17})
     EXPECT_NEAR((*video->frame(static_cast<std::size_t>(number)))->grey.at<std::uint8_t>(24, 40),
                 30 + 7 * number, made.tolerance)
         << number;
+}
+
+TEST_P(ForeignVideo, IsReadInOrderWithItsLevelsAndTimes) {
+  const Foreign& made = GetParam();
+  const TemporaryFolder folder;
+  const fs::path file = folder / made.name;
+  if (!(made.source != kByGStreamer ? make_video(file, made.source, made.options)
+                                    : make_by_gstreamer(file, made.options)))
+    GTEST_SKIP() << "the program is not here or lacks a codec: " << made.options;
+  in_every_locale([&] {
+    expect_in_order(file, made);
+    expect_backwards(file, made);
+  });
 }
 
 constexpr const char* kNoRange = "does not state the range";
@@ -244,29 +289,16 @@ TEST(ForeignVideo, TextsAndListsOfFilesAreNoVideos) {
   }
 }
 
-/// A locale of glibc, made for this test; nullptr where it cannot be made.
-const char* set_locale(const TemporaryFolder& folder, const std::string& name) {
-  const fs::path made = folder / (name + ".UTF-8");
-  output_of(fmt::format("localedef -i {} -f UTF-8 '{}' 2>/dev/null", name, made.string()));
-  ::setenv("LOCPATH", folder.path().c_str(), 1);
-  return std::setlocale(LC_ALL, made.filename().c_str());
-}
-
 TEST(ForeignVideo, NamesAreReadAlikeInEveryLocale) {
-  const TemporaryFolder folder, locales;
+  const TemporaryFolder folder;
   if (!make_video(folder / "V.AVI", kGreySteps, "-c:v ffv1 -pix_fmt gray"))
     GTEST_SKIP() << "ffmpeg is not here";
   cv::imwrite(folder / "i.png", cv::Mat(8, 8, CV_8UC1, cv::Scalar(90)));
   fs::rename(folder / "i.png", folder / "I.TIF.PNG");
-  for (const char* name : {"tr_TR", "de_DE", "zh_CN"}) {
-    if (set_locale(locales, name) == nullptr) {
-      std::setlocale(LC_ALL, "C");
-      GTEST_SKIP() << "localedef makes no locale " << name;
-    }
-    EXPECT_TRUE(open_source({folder / "V.AVI"}).ok()) << name;
-    EXPECT_TRUE(open_source({folder / "I.TIF.PNG"}).ok()) << name;
-    std::setlocale(LC_ALL, "C");
-  }
+  in_every_locale([&] {
+    EXPECT_TRUE(open_source({folder / "V.AVI"}).ok());
+    EXPECT_TRUE(open_source({folder / "I.TIF.PNG"}).ok());
+  });
 }
 
 std::vector<std::string> names_of(Source& source) {
@@ -319,13 +351,28 @@ std::string read_refusal(const fs::path& file) {
   return read ? "" : read.error().sentence();
 }
 
-/// Images of ImageMagick's: a gradient of grey, and as raw bytes what it shows.
+/// Images of a gradient of grey by another program, and as raw bytes what they show.
 struct ForeignImage {
   const char* name;     // of the file
-  const char* options;  // of ImageMagick's
+  const char* options;  // of ImageMagick's, or a function of the script
   int tolerance;        // grey levels
   const char* refusal;  // part of it; "": the image is read
 };
+
+void expect_gradient(const fs::path& file, const std::string& truth, const ForeignImage& made) {
+  const auto read = read_grey_image(file);
+  if (!std::string(made.refusal).empty()) {
+    ASSERT_FALSE(read.ok());
+    EXPECT_THAT(read.error().sentence(), HasSubstr(made.refusal));
+    return;
+  }
+  ASSERT_TRUE(read.ok()) << read.error().sentence();
+  ASSERT_EQ(truth.size(), read->total());
+  for (int v = 0; v < 48; ++v) {
+    const auto level = static_cast<std::uint8_t>(truth[static_cast<std::size_t>(v) * 64 + 30]);
+    EXPECT_NEAR(read->at<std::uint8_t>(v, 30), level, made.tolerance) << v;
+  }
+}
 
 class ByImageMagick : public testing::TestWithParam<ForeignImage> {};
 
@@ -341,21 +388,89 @@ TEST_P(ByImageMagick, IsReadWithItsLevelsOrRefused) {
   };
   if (!convert("-depth 8", "truth.gray") || !convert(made.options, made.name))
     GTEST_SKIP() << "ImageMagick is not here or lacks the format";
-  const auto read = read_grey_image(folder / made.name);
-  if (!std::string(made.refusal).empty()) {
-    ASSERT_FALSE(read.ok());
-    EXPECT_THAT(read.error().sentence(), HasSubstr(made.refusal));
-    return;
-  }
-  ASSERT_TRUE(read.ok()) << read.error().sentence();
   std::ifstream stream(folder / "truth.gray", std::ios::binary);
   const std::string truth{std::istreambuf_iterator<char>(stream), {}};
-  ASSERT_EQ(truth.size(), read->total());
-  for (int v = 0; v < 48; ++v) {
-    const auto level = static_cast<std::uint8_t>(truth[static_cast<std::size_t>(v) * 64 + 30]);
-    EXPECT_NEAR(read->at<std::uint8_t>(v, 30), level, made.tolerance) << v;
-  }
+  in_every_locale([&] { expect_gradient(folder / made.name, truth, made); });
 }
+
+/// Python's own libraries: level 40 + 3 v in row v.
+constexpr const char* kScript = R"(
+import struct, sys, zlib
+rows = [bytes([40 + 3 * v] * 64) for v in range(48)]
+deep = [b''.join(struct.pack('>H', (40 + 3 * v) * 257) for u in range(64)) for v in range(48)]
+
+def chunk(name, data):
+    body = name + data
+    return struct.pack('>I', len(data)) + body + struct.pack('>I', zlib.crc32(body))
+
+def png(lines, bits, part=1 << 20):
+    # the filters none, sub, up, average and Paeth in turn
+    step, before, raw = bits // 8, bytes(len(lines[0])), b''
+    for v, line in enumerate(lines):
+        def guess(i):
+            left = line[i - step] if i >= step else 0
+            up, corner = before[i], before[i - step] if i >= step else 0
+            near = min((left, up, corner), key=lambda one: abs(left + up - corner - one))
+            return (0, left, up, (left + up) // 2, near)[v % 5]
+        raw += bytes([v % 5]) + bytes((line[i] - guess(i)) % 256 for i in range(len(line)))
+        before = line
+    data = zlib.compress(raw)
+    parts = [data[i:i + part] for i in range(0, len(data), part)]
+    head = struct.pack('>IIBBBBB', 64, 48, bits, 0, 0, 0, 0)
+    return (b'\x89PNG\r\n\x1a\n' + chunk(b'IHDR', head) + chunk(b'tEXt', b'Software\0Python') +
+            b''.join(chunk(b'IDAT', one) for one in parts) + chunk(b'IEND', b''))
+
+def pgm(lines, most):
+    return b'P5\n# by Python\n64 48\n%d\n' % most + b''.join(lines)
+
+def bmp(lines, height):
+    palette = b''.join(bytes([i, i, i, 0]) for i in range(256))
+    pixels = b''.join(lines if height < 0 else reversed(lines))
+    info = struct.pack('<IiiHHIIiiII', 40, 64, height, 1, 8, 0, len(pixels), 2835, 2835, 256, 0)
+    return struct.pack('<2sIHHI', b'BM', 1078 + len(pixels), 0, 0, 1078) + info + palette + pixels
+
+def tiff(lines, bits, order):
+    tags = [(256, 3, 64), (257, 3, 48), (258, 3, bits), (259, 3, 1), (262, 3, 1), (273, 4, 8),
+            (277, 3, 1), (278, 3, 48), (279, 4, 48 * len(lines[0]))]
+    data = b''.join(lines)
+    if order == '<' and bits == 16:
+        data = b''.join(data[i + 1:i + 2] + data[i:i + 1] for i in range(0, len(data), 2))
+    entry = lambda tag, kind, value: struct.pack(order + 'HHI', tag, kind, 1) + (
+        struct.pack(order + 'HH', value, 0) if kind == 3 else struct.pack(order + 'I', value))
+    head = (b'II' if order == '<' else b'MM') + struct.pack(order + 'HI', 42, 8 + len(data))
+    return (head + data + struct.pack(order + 'H', len(tags)) + b''.join(entry(*t) for t in tags) +
+            struct.pack(order + 'I', 0))
+
+open(sys.argv[1], 'wb').write(eval(sys.argv[2]))
+)";
+
+class ByPython : public testing::TestWithParam<ForeignImage> {};
+
+TEST_P(ByPython, IsReadWithItsLevelsOrRefused) {
+  const ForeignImage& made = GetParam();
+  const TemporaryFolder folder;
+  std::ofstream(folder / "make.py") << kScript;
+  output_of(fmt::format("cd '{}' && python3 make.py {} '{}'", folder.path().string(), made.name,
+                        made.options));
+  if (!fs::exists(folder / made.name)) GTEST_SKIP() << "Python is not here";
+  std::string truth;
+  for (int v = 0; v < 48; ++v) truth += std::string(64, static_cast<char>(40 + 3 * v));
+  in_every_locale([&] { expect_gradient(folder / made.name, truth, made); });
+}
+
+INSTANTIATE_TEST_SUITE_P(Made, ByPython,
+                         testing::Values(ForeignImage{"filters.png", "png(rows, 8)", 0, ""},
+                                         ForeignImage{"deep-filters.png", "png(deep, 16)", 0, ""},
+                                         ForeignImage{"in-parts.png", "png(rows, 8, 7)", 0, ""},
+                                         ForeignImage{"bytes.pgm", "pgm(rows, 255)", 0, ""},
+                                         ForeignImage{"deep.pgm", "pgm(deep, 65535)", 0, ""},
+                                         ForeignImage{"upwards.bmp", "bmp(rows, 48)", 0, ""},
+                                         ForeignImage{"downwards.BMP", "bmp(rows, -48)", 0, ""},
+                                         ForeignImage{"little.tif", "tiff(deep, 16, \"<\")", 0, ""},
+                                         ForeignImage{"big.tif", "tiff(rows, 8, \">\")", 0, ""},
+                                         ForeignImage{"cut.png", "png(rows, 8)[:-60]", 0,
+                                                      "truncated"}),
+                         name_of<ForeignImage>);
 
 INSTANTIATE_TEST_SUITE_P(
     Made, ByImageMagick,
