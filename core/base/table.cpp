@@ -28,7 +28,7 @@ constexpr std::size_t kRowsOfOneForm = 5;
 bool is_blanks(char separator) { return separator == kBlanks || separator == kWideBlanks; }
 bool is_line_end(char c) { return c == '\n' || c == '\r'; }
 
-constexpr std::string_view kAround = " 	";
+constexpr std::string_view kAround = " \t";
 
 // Names of columns.
 

@@ -3,7 +3,6 @@
 #include "core/base/letters.h"
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <map>
 #include <optional>
@@ -313,7 +312,7 @@ ValueTree xml_tree(const std::string& text, Budget& budget) {
 
 bool is_property_name(std::string_view text) {
   return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.';
+    return is_letter(c) || is_digit(c) || c == '_' || c == '.';
   });
 }
 

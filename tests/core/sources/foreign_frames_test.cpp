@@ -4,10 +4,10 @@
 #include "core/recording/video_file.h"
 #include "core/sources/file_source.h"
 #include "tests/core/recording/recording_frames.h"
+#include "tests/support/locales.h"
 #include "tests/support/temporary_folder.h"
 
 #include <clocale>
-#include <cstdlib>
 #include <fstream>
 
 #include <fmt/format.h>
@@ -64,24 +64,6 @@ bool make_by_gstreamer(const fs::path& file, const std::string& pipeline) {
                   (folder / "raw").string(), pipeline, file.string()));
   std::error_code ignored;
   return fs::file_size(file, ignored) > 0 && !ignored;
-}
-
-/// Locales of glibc, made once; C alone where they cannot be made.
-const std::vector<std::string>& locales() {
-  static const TemporaryFolder folder;
-  static const std::vector<std::string> made = [] {
-    ::setenv("LOCPATH", folder.path().c_str(), 1);
-    std::vector<std::string> names{"C"};
-    for (const std::string name : {"tr_TR", "de_DE", "zh_CN"}) {
-      const std::string locale = name + ".UTF-8";
-      output_of(fmt::format("localedef -i {} -f UTF-8 '{}' 2>/dev/null", name,
-                            (folder / locale).string()));
-      if (std::setlocale(LC_ALL, locale.c_str()) != nullptr) names.push_back(locale);
-    }
-    std::setlocale(LC_ALL, "C");
-    return names;
-  }();
-  return made;
 }
 
 template <class Check>
