@@ -13,7 +13,6 @@
 namespace alltact {
 namespace {
 
-constexpr std::uintmax_t kLargestFile = std::uintmax_t{512} << 20;
 constexpr std::size_t kMaxTriangles = 4'000'000;
 
 // Merges corners of different triangles at one position into one point.
@@ -64,7 +63,7 @@ Result<TriangleMesh> read_mesh(const std::filesystem::path& file) {
   if (kind != ".stl" && kind != ".obj")
     return refuse(en::say("this mesh format is unknown"),
                   en::say("a file that ends in .stl or .obj"));
-  if (size > kLargestFile)
+  if (size > kMaxMeshBytes)
     return refuse(en::say("the mesh's file is larger than 512 MB"),
                   en::say("export a coarser mesh"));
   Assimp::Importer importer;

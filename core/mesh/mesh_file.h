@@ -4,6 +4,7 @@
 #include "core/base/result.h"
 
 #include <array>
+#include <cstdint>
 #include <filesystem>
 #include <vector>
 
@@ -16,6 +17,8 @@ struct TriangleMesh {
   std::vector<Eigen::Vector3d> points;  ///< without duplicates; in the file's unit
   std::vector<std::array<int, 3>> triangles;
 };
+
+inline constexpr std::uintmax_t kMaxMeshBytes = std::uintmax_t{512} << 20;
 
 /// Reads STL or OBJ (by the extension), all objects of the file as one. Errors, with the file as
 /// `where`: another format, no triangles, more than 4 million of them, points that are not finite,
