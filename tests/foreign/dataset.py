@@ -1,6 +1,7 @@
 """All that a technician would take of one finger, in a folder: recording, presses, pictures to measure, and the truth.
 
     camera.yaml  recording/*.png  presses/*.png  tests/*.png  truth/*.npz  finger.json (written last)
+    bodies/*.png, rod.stl: presses of a rod with round ends, and its mesh
     degraded/*.png, frozen/*.png: pictures that cannot be measured rightly, of the class of that name
 """
 
@@ -17,11 +18,13 @@ import numpy as np
 from contact import Body
 from face import Face, Pose
 from finger import Finger, draw_finger
+from meshes import capsule, write_stl
 from mirror import mirrored_camera, mirrored_truth
 from render import Renderer
 
-VERSION = 5
+VERSION = 6
 PRESSES = 6
+RODS = 2
 TESTS = 10
 
 
@@ -47,7 +50,7 @@ def make_finger(cache: Path, seed: int, index: int, kind: str) -> Path:
         return folder
     if folder.exists():
         shutil.rmtree(folder)
-    for part in ("recording", "presses", "tests", "truth"):
+    for part in ("recording", "presses", "bodies", "tests", "truth"):
         (folder / part).mkdir(parents=True)
     finger = draw_finger(seed, index, kind)
     renderer = Renderer(finger)
@@ -57,9 +60,10 @@ def make_finger(cache: Path, seed: int, index: int, kind: str) -> Path:
     _record(folder, finger, renderer, rng)
     presses = _press(folder, finger, renderer, rng)
     shots = _shoot(folder, finger, renderer, rng)
+    rods = _press_rods(folder, finger, renderer, np.random.default_rng([seed, index, 78]))
     if kind == "degraded":
         _degrade(folder, finger, renderer, rng)
-    facts.write_text(json.dumps(_facts(finger, presses, shots), indent=1))
+    facts.write_text(json.dumps(_facts(finger, presses, rods, shots), indent=1))
     return folder
 
 
@@ -100,6 +104,21 @@ def _press(folder: Path, finger: Finger, renderer: Renderer, rng: np.random.Gene
         _take(folder / "presses" / f"press_{number}.png", finger, light, rng)
         presses.append(asdict(body))
     return presses
+
+
+def _press_rods(folder: Path, finger: Finger, renderer: Renderer, rng: np.random.Generator) -> list[dict[str, object]]:
+    """Beside the balls, and from numbers of their own: balls and pictures to measure are the same without them."""
+    size = (float(rng.uniform(2, 3.5)), float(rng.uniform(2.5, 4)))
+    write_stl(folder / "bodies" / "rod.stl", capsule(*size))
+    rods = []
+    for number in range(RODS):
+        pose = finger.motion.pose(rng.uniform(-0.8, 0.8, 4))
+        depth = finger.rest.layer_mm * rng.uniform(0.35, 0.6)
+        body = _inside(finger, pose, rng, "cylinder", depth, size)
+        light, _ = renderer.light(pose, _lamp_gains(finger, rng), (body,))
+        _take(folder / "bodies" / f"rod_{number}.png", finger, light, rng)
+        rods.append(asdict(body))
+    return rods
 
 
 def _place(finger: Finger, pose: Pose, rng: np.random.Generator, border_mm: float) -> tuple[float, float]:
@@ -226,7 +245,9 @@ def _degrade(folder: Path, finger: Finger, renderer: Renderer, rng: np.random.Ge
         _save(folder / "frozen" / f"frame_{frame:03d}.png", hanging)
 
 
-def _facts(finger: Finger, presses: list[dict[str, object]], shots: list[dict[str, object]]) -> dict[str, object]:
+def _facts(
+    finger: Finger, presses: list[dict[str, object]], rods: list[dict[str, object]], shots: list[dict[str, object]]
+) -> dict[str, object]:
     camera = finger.camera
     return {
         "version": VERSION,
@@ -253,5 +274,6 @@ def _facts(finger: Finger, presses: list[dict[str, object]], shots: list[dict[st
         "blemishes": len(finger.blemishes),
         **finger.layer_facts,
         "presses": presses,
+        "rods": rods,
         "shots": shots,
     }

@@ -16,6 +16,7 @@ from dataset import make_finger
 from face import Face, Pose, RestShape
 from finger import CLASSES, draw_finger
 from layer import Layer, walk
+from meshes import capsule
 from mirror import mirrored_camera
 from pencils import CELL_MM, Pencil
 from render import Renderer
@@ -27,6 +28,16 @@ LENSES = (
     Camera("brown", 640, 480, (400.0, 401.0), (320.3, 239.1), (-0.12, 0.02, 3e-4, -5e-4, 0.0)),
     Camera("fisheye", 640, 480, (400.0, 401.0), (320.3, 239.1), (0.02, -0.008, 0.002, 0.0)),
 )
+
+
+class MeshTest(unittest.TestCase):
+    def test_a_capsule_is_closed_and_has_its_volume(self) -> None:
+        corners = capsule(2.0, 3.0)
+        volume = np.einsum("ij,ij->i", corners[:, 0], np.cross(corners[:, 1], corners[:, 2])).sum() / 6
+        self.assertAlmostEqual(volume / (np.pi * 4 * 6 + 4 / 3 * np.pi * 8), 1, places=2)
+        # Of a closed surface the triangles' areas, as vectors, add up to nothing.
+        areas = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+        np.testing.assert_allclose(areas.sum(axis=0), 0, atol=1e-9)
 
 
 class LensTest(unittest.TestCase):

@@ -27,8 +27,10 @@ from program import run_program  # noqa: E402
 from summary import must_reach, report  # noqa: E402
 
 
-def judge_one(program: Path, made: Path, results: Path | None, settings: list[str]) -> dict[str, Any]:
-    """Figures of one rendered finger; results: where to keep what the program wrote."""
+def judge_one(
+    program: Path, made: Path, results: Path | None, settings: list[str], with_rods: bool = False
+) -> dict[str, Any]:
+    """Figures of one rendered finger; results: where to keep what the program wrote; with_rods: see run_program."""
     facts = json.loads((made / "finger.json").read_text())
     with ExitStack() as stack:
         if results is None:
@@ -36,7 +38,7 @@ def judge_one(program: Path, made: Path, results: Path | None, settings: list[st
         else:
             scratch = results / made.name
             scratch.mkdir(parents=True)
-        run = run_program(program, made, facts, scratch, settings)
+        run = run_program(program, made, facts, scratch, settings, with_rods)
         figures: dict[str, Any] = {
             "name": made.name,
             "class": facts["class"],
@@ -80,6 +82,7 @@ def main() -> int:
     parser.add_argument(
         "--settings", default="", help='flags to calibrate and measure with: --settings="--marker-method network"'
     )
+    parser.add_argument("--rods", action="store_true", help="calibrate with presses of a rod of known shape as well")
     parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--json", type=Path, help="file for all figures")
     options = parser.parse_args()
@@ -100,7 +103,10 @@ def main() -> int:
                     print(folder.result(), flush=True)
                 return 0
             settings = options.settings.split()
-            judged = [pool.submit(judge_one, options.program, folder.result(), options.results, settings) for folder in made]
+            judged = [
+                pool.submit(judge_one, options.program, folder.result(), options.results, settings, options.rods)
+                for folder in made
+            ]
             fingers = []
             for figures in judged:
                 fingers.append(figures.result())

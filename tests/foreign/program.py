@@ -27,9 +27,13 @@ class Run:
     unnamed: list[str] = field(default_factory=list)  # pictures that cannot be measured rightly, yet no problem is told
 
 
-def run_program(program: Path, made: Path, facts: dict[str, Any], scratch: Path, settings: list[str]) -> Run:
+def run_program(
+    program: Path, made: Path, facts: dict[str, Any], scratch: Path, settings: list[str], with_rods: bool = False
+) -> Run:
     """made: the folder of a rendered finger; scratch: an empty folder for what the program writes; settings: flags to
-    calibrate and measure with."""
+    calibrate and measure with; with_rods: calibrate with the presses of rods as well."""
+    rods = sorted((made / "bodies").glob("*.png")) if with_rods else []
+    bodies = [word for rod in rods for word in ("--body", f"{rod.stem}={made.absolute() / 'bodies' / 'rod.stl'}")]
     finger = scratch / "finger"
     run = Run(results=scratch / "results")
     steps = (
@@ -45,7 +49,7 @@ def run_program(program: Path, made: Path, facts: dict[str, Any], scratch: Path,
         (
             "calibrate",
             [
-                *("calibrate", finger, made / "presses"),
+                *("calibrate", finger, made / "presses", *rods, *bodies),
                 *("--ball-radius-mm", f"{facts['ball_radius_mm']:.4f}", "--json", *settings),
             ],
         ),
