@@ -207,12 +207,12 @@ struct MarkedFinger {
   }
 
   [[nodiscard]] cv::Mat with_noise(const cv::Mat& image, std::mt19937& random) const {
-    std::normal_distribution<double> normal(0.0, noise);
+    std::normal_distribution<double> normal;
     cv::Mat grey(image.size(), CV_8UC1);
     for (int v = 0; v < image.rows; ++v)
       for (int u = 0; u < image.cols; ++u)
-        grey.at<std::uint8_t>(v, u) = cv::saturate_cast<std::uint8_t>(
-            image.at<float>(v, u) + (noise > 0 ? normal(random) : 0.0));
+        grey.at<std::uint8_t>(v, u) =
+            cv::saturate_cast<std::uint8_t>(image.at<float>(v, u) + noise * normal(random));
     return grey;
   }
 

@@ -19,10 +19,11 @@ constexpr double kShortFraction = 1.0 / 12;
 
 /// The outermost column of an end: at one of the face's corners, or where it turns.
 double outermost(const FaceEnd& end, double upper_v, double lower_v, int outwards) {
-  const double turn =
-      end.bow_per_px != 0.0
-          ? std::clamp(end.v_px - 0.5 * end.slope / end.bow_per_px, upper_v, lower_v)
-          : upper_v;
+  // Continued beyond what was seen of them, the edges may cross.
+  const auto [top_v, bottom_v] = std::minmax(upper_v, lower_v);
+  const double turn = end.bow_per_px != 0.0
+                          ? std::clamp(end.v_px - 0.5 * end.slope / end.bow_per_px, top_v, bottom_v)
+                          : upper_v;
   const auto [lowest, highest] = std::minmax({end.at(upper_v), end.at(lower_v), end.at(turn)});
   return outwards > 0 ? highest : lowest;
 }

@@ -16,11 +16,11 @@ double curve(double x) { return 40.0 + 0.3 * x - 4e-4 * x * x + 2e-7 * x * x * x
 
 Points sampled(double noise_sd, unsigned seed) {
   std::mt19937 engine(seed);
-  std::normal_distribution<double> noise(0.0, noise_sd);
+  std::normal_distribution<double> noise;
   Points points;
   for (double x = 3.5; x < 960.0; x += 8.0) {
     points.x.push_back(x);
-    points.y.push_back(curve(x) + (noise_sd > 0.0 ? noise(engine) : 0.0));
+    points.y.push_back(curve(x) + noise_sd * noise(engine));
     points.sd.push_back(noise_sd > 0.0 ? noise_sd : 1.0);
     points.valid.push_back(1);
   }
