@@ -215,6 +215,12 @@ Span span_of(const Times& times, auto time_of) {
   return span;
 }
 
+Message spans_of(const Span& of_gauge, const Span& of_frames) {
+  return en::say(
+      "the gauge's times run from {:g} to {:g} s, those of the images from {:g} to {:g} s",
+      of_gauge.first_s, of_gauge.last_s, of_frames.first_s, of_frames.last_s);
+}
+
 /// The times in the gauge's file are in another unit than they are read in. Evidence: by a known
 /// unit's factor both recordings have a similar length, and the readings are farther apart than any
 /// gauge's that can be interpolated, or closer than any gauge's.
@@ -239,12 +245,10 @@ std::optional<Error> wrong_time_unit(const ForceGauge& gauge, const Span& of_gau
       nearest = away, meant = Unit{symbol, factor};
   }
   if (!meant) return std::nullopt;
-  const Message spans =
-      en::say("the gauge's times run from {:g} to {:g} s, those of the images from {:g} to {:g} s",
-              of_gauge.first_s, of_gauge.last_s, of_frames.first_s, of_frames.last_s);
   const double times = std::max(meant->factor, 1 / meant->factor);
   return Error{
-      en::say("{}: the unit is wrong by a factor of {:g}", spans, times), gauge.origin,
+      en::say("{}: the unit is wrong by a factor of {:g}", spans_of(of_gauge, of_frames), times),
+      gauge.origin,
       en::say("naming the column '{}' 't_{}' if its times are in {}", printable(gauge.time_column),
               std::string(meant->symbol), std::string(meant->symbol))};
 }
@@ -288,11 +292,12 @@ Result<CollectedForce> collect_force(const std::vector<MarkerFrame>& all, const 
     return Error{en::say("the recording's frames have no times, the gauge has only times"), "",
                  en::say("a recording of alltact record, or a gauge file with a column 'frame'")};
   const std::vector<MarkerFrame> frames = all_timed ? in_order(all) : all;
-  if (gauge.by_time && !frames.empty())
-    if (auto wrong = wrong_time_unit(
-            gauge, span_of(gauge.readings, [](const GaugeReading& r) { return r.time_s; }),
-            span_of(frames, [](const MarkerFrame& frame) { return *frame.time_s; })))
-      return *wrong;
+  Span of_gauge, of_frames;
+  if (gauge.by_time && !frames.empty()) {
+    of_gauge = span_of(gauge.readings, [](const GaugeReading& r) { return r.time_s; });
+    of_frames = span_of(frames, [](const MarkerFrame& frame) { return *frame.time_s; });
+    if (auto wrong = wrong_time_unit(gauge, of_gauge, of_frames)) return *wrong;
+  }
   CollectedForce collected;
   collected.frames = frames.size();
   collected.remarks = gauge.remarks;
@@ -309,6 +314,11 @@ Result<CollectedForce> collect_force(const std::vector<MarkerFrame>& all, const 
       ++collected.left_out;
   }
   if (rows.empty() && !frames.empty()) return no_reading(frames, gauge, collected.clock);
+  if (gauge.by_time && 2 * rows.size() < frames.size())
+    collected.remarks.push_back(en::say(
+        "Most frames have no reading: {}. Try: checking the unit and the beginning of the gauge's "
+        "times.",
+        spans_of(of_gauge, of_frames)));
   collected.reading_sd_N = median_sd_N(rows);
   ForceTable& table = collected.table;
   const auto count = static_cast<Eigen::Index>(rows.size());

@@ -7,6 +7,7 @@
 #include "tests/support/temporary_folder.h"
 
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace alltact {
@@ -274,6 +275,25 @@ TEST(CollectForce, TimesInAnotherUnitThanTheirColumnsAreRefusedWithBothSpans) {
   for (const auto& [step, count] : {std::pair{0.01, 401}, {0.01, 100000}, {0.001, 500}, {0.3, 20}})
     EXPECT_EQ(refusal("t_s,fx_n,fy_n", step, count), "") << step;
   EXPECT_EQ(refusal("t_ms,fx_n,fy_n", 10, 401), "");
+}
+
+TEST(CollectForce, MostFramesWithoutAReadingAreRemarkedWithBothSpans) {
+  const auto remarks = [](double first, double step) {
+    std::string csv = "t_s,fx_n,fy_n\n";
+    for (int i = 0; i < 400; ++i) csv += fmt::format("{},{},{}\n", first + step * i, i % 7, i);
+    const auto collected =
+        collect_force(forty_frames(true), ForceGauge::parse_csv(csv, "gauge.csv").value());
+    EXPECT_TRUE(collected.ok());
+    std::string text;
+    if (collected)
+      for (const Message& remark : collected->remarks) text += remark.english();
+    return text;
+  };
+  // Only the first of the frames, at 500 s, is near a reading.
+  EXPECT_THAT(remarks(500, 50),
+              testing::HasSubstr("Most frames have no reading: the gauge's times run from 500 to "
+                                 "20450 s, those of the images from 500 to 503.9 s."));
+  EXPECT_THAT(remarks(499, 0.05), testing::Not(testing::HasSubstr("Most frames")));
 }
 
 TEST(CollectForce, NoReadingForAnyFrameIsExplained) {
