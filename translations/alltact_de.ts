@@ -3430,6 +3430,10 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
 <context>
     <name>alltact::PressCollection</name>
     <message>
+        <source>change the body of %1</source>
+        <translation>Körper von %1 ändern</translation>
+    </message>
+    <message>
         <source>change the ball&apos;s radius</source>
         <translation>Kugelradius ändern</translation>
     </message>
@@ -3564,6 +3568,38 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
 <context>
     <name>alltact::PressForm</name>
     <message>
+        <source>Another &amp;body</source>
+        <translation>Anderer &amp;Körper</translation>
+    </message>
+    <message>
+        <source>Mesh of another body</source>
+        <translation>Netz eines anderen Körpers</translation>
+    </message>
+    <message>
+        <source>A body of known shape pressed in instead of a ball, such as a rod or a printed part: its closed mesh, STL or OBJ in mm. The program finds its pose.</source>
+        <translation>Ein Körper bekannter Form, der statt einer Kugel eingedrückt wird, etwa ein Stab oder ein gedrucktes Teil: sein geschlossenes Netz, STL oder OBJ in mm. Das Programm findet seine Lage.</translation>
+    </message>
+    <message>
+        <source>&amp;Choose a mesh…</source>
+        <translation>&amp;Netz auswählen …</translation>
+    </message>
+    <message>
+        <source>A &amp;ball</source>
+        <translation>Eine Ku&amp;gel</translation>
+    </message>
+    <message>
+        <source>Mesh of the body</source>
+        <translation>Netz des Körpers</translation>
+    </message>
+    <message>
+        <source>Meshes (*.stl *.obj *.STL *.OBJ)</source>
+        <translation>Netze (*.stl *.obj *.STL *.OBJ)</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keiner</translation>
+    </message>
+    <message>
         <source> mm</source>
         <translation> mm</translation>
     </message>
@@ -3645,6 +3681,14 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
 </context>
 <context>
     <name>alltact::PressModel</name>
+    <message>
+        <source>depths on %1 read %2 % of the true ones</source>
+        <translation>Tiefen auf %1 werden mit %2 % der wahren gelesen</translation>
+    </message>
+    <message>
+        <source>the body %1</source>
+        <translation>der Körper %1</translation>
+    </message>
     <message>
         <source>left out</source>
         <translation>ausgelassen</translation>
@@ -5667,6 +5711,74 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
 <context>
     <name>alltact::en</name>
     <message>
+        <source>Most frames have no reading: {}. Try: checking the unit and the beginning of the gauge's times.</source>
+        <translation>Die meisten Bilder haben keinen Messwert: {}. Abhilfe: Einheit und Beginn der Zeiten des Kraftmessers prüfen.</translation>
+    </message>
+    <message>
+        <source>in millimetres, this body would be {:.3g} mm long</source>
+        <translation>in Millimetern wäre dieser Körper {:.3g} mm lang</translation>
+    </message>
+    <message>
+        <source>exporting its mesh in millimetres</source>
+        <translation>sein Netz in Millimetern zu exportieren</translation>
+    </message>
+    <message>
+        <source>only the joint method uses measured depths and bodies other than balls</source>
+        <translation>nur die gemeinsame Methode verwendet gemessene Tiefen und andere Körper als Kugeln</translation>
+    </message>
+    <message>
+        <source>looking for the body in {}</source>
+        <translation>Körper in {} wird gesucht</translation>
+    </message>
+    <message>
+        <source>its body was left out, because the balls show {:.1f} +- {:.1f} % of the depth that its shape has; check the balls' radius and the body's mesh</source>
+        <translation>sein Körper wurde ausgelassen, weil die Kugeln {:.1f} +- {:.1f} % der Tiefe seiner Form zeigen; prüfen Sie den Radius der Kugeln und das Netz des Körpers</translation>
+    </message>
+    <message>
+        <source>there are only presses of bodies other than balls</source>
+        <translation>es gibt nur Eindrücke anderer Körper als Kugeln</translation>
+    </message>
+    <message>
+        <source>pressing a ball at least once as well: other bodies show the scale of depth, not its curve</source>
+        <translation>mindestens einmal auch eine Kugel einzudrücken: Andere Körper zeigen den Maßstab der Tiefe, nicht ihre Kurve</translation>
+    </message>
+    <message>
+        <source>it was not made with a ball</source>
+        <translation>er wurde nicht mit einer Kugel gemacht</translation>
+    </message>
+    <message>
+        <source>stopped before the body was found</source>
+        <translation>angehalten, bevor der Körper gefunden war</translation>
+    </message>
+    <message>
+        <source>a body with slopes or curves, pressed in until 3 mm of skin rest on it</source>
+        <translation>einen Körper mit Schrägen oder Rundungen, eingedrückt, bis 3 mm der Haut auf ihm aufliegen</translation>
+    </message>
+    <message>
+        <source>the body touches too little of the face</source>
+        <translation>der Körper berührt zu wenig von der Fläche</translation>
+    </message>
+    <message>
+        <source>the skin is {:.2f} mm off the body in its best pose</source>
+        <translation>die Haut ist vom Körper in seiner besten Lage {:.2f} mm entfernt</translation>
+    </message>
+    <message>
+        <source>too little skin rests on the body away from its edges</source>
+        <translation>abseits seiner Kanten liegt zu wenig Haut auf dem Körper auf</translation>
+    </message>
+    <message>
+        <source>the shape of this body leaves the scale of depth open</source>
+        <translation>die Form dieses Körpers lässt den Maßstab der Tiefe offen</translation>
+    </message>
+    <message>
+        <source>the mesh encloses no volume</source>
+        <translation>das Netz umschließt kein Volumen</translation>
+    </message>
+    <message>
+        <source>a mesh of a solid body</source>
+        <translation>ein Netz eines festen Körpers</translation>
+    </message>
+    <message>
         <source>the image is damaged, truncated, or of a rare kind of TIFF</source>
         <translation>das Bild ist beschädigt, abgeschnitten oder ein TIFF seltener Art</translation>
     </message>
@@ -5685,10 +5797,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>the image is black and white; 8 to 16 bits per pixel are needed</source>
         <translation>das Bild ist schwarzweiß; 8 bis 16 Bit pro Pixel sind nötig</translation>
-    </message>
-    <message>
-        <source>light spreads in this layer: the steps of punches are compared with the mapping, which does not use them</source>
-        <translation>in dieser Schicht breitet sich Licht aus: die Stufen der Stempel werden mit der Abbildung verglichen, die sie nicht verwendet</translation>
     </message>
     <message>
         <source>whether the layer may give light back beside where it went in; auto: if the brightness around the presses shows it, given three presses or more</source>
@@ -8491,10 +8599,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>{} mm, mehr als das Dreifache der anderen; das Bild prüfen oder den Eindruck weglassen</translation>
     </message>
     <message>
-        <source>only the joint method uses measured depths and punches with a step</source>
-        <translation>nur das gemeinsame Verfahren benutzt gemessene Tiefen und Stempel mit einer Stufe</translation>
-    </message>
-    <message>
         <source>leaving them out, or --method joint</source>
         <translation>sie weglassen oder --method joint</translation>
     </message>
@@ -8565,14 +8669,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>at least one image of a pressed ball</source>
         <translation>mindestens ein Bild einer eingedrückten Kugel</translation>
-    </message>
-    <message>
-        <source>there are only presses of a punch with a step</source>
-        <translation>es gibt nur Eindrücke eines Stempels mit einer Stufe</translation>
-    </message>
-    <message>
-        <source>pressing a ball at least once as well: a step shows how far apart two depths are, not where they begin</source>
-        <translation>auch eine Kugel eindrücken, mindestens einmal: Eine Stufe zeigt den Abstand zweier Tiefen, nicht ihren Nullpunkt</translation>
     </message>
     <message>
         <source>none of {} presses could be used: {}</source>
@@ -10509,10 +10605,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>an image of this finger, at the size of its camera</source>
         <translation>ein Bild dieses Fingers, in der Bildgröße seiner Kamera</translation>
-    </message>
-    <message>
-        <source>a punch with a step is not a ball</source>
-        <translation>ein Stempel mit einer Stufe ist keine Kugel</translation>
     </message>
     <message>
         <source>the radius of the ball that was pressed is not known</source>

@@ -3417,6 +3417,10 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
 <context>
     <name>alltact::PressCollection</name>
     <message>
+        <source>change the body of %1</source>
+        <translation>更改 %1 的物体</translation>
+    </message>
+    <message>
         <source>change the ball&apos;s radius</source>
         <translation>更改球半径</translation>
     </message>
@@ -3548,6 +3552,38 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
 <context>
     <name>alltact::PressForm</name>
     <message>
+        <source>Another &amp;body</source>
+        <translation>其他物体(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Mesh of another body</source>
+        <translation>其他物体的网格</translation>
+    </message>
+    <message>
+        <source>A body of known shape pressed in instead of a ball, such as a rod or a printed part: its closed mesh, STL or OBJ in mm. The program finds its pose.</source>
+        <translation>代替球压入的已知形状的物体，例如圆杆或打印件：其封闭网格，STL 或 OBJ，单位为 mm。程序会找到它的位姿。</translation>
+    </message>
+    <message>
+        <source>&amp;Choose a mesh…</source>
+        <translation>选择网格(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>A &amp;ball</source>
+        <translation>球(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Mesh of the body</source>
+        <translation>物体的网格</translation>
+    </message>
+    <message>
+        <source>Meshes (*.stl *.obj *.STL *.OBJ)</source>
+        <translation>网格 (*.stl *.obj *.STL *.OBJ)</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
         <source> mm</source>
         <translation> mm</translation>
     </message>
@@ -3629,6 +3665,14 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
 </context>
 <context>
     <name>alltact::PressModel</name>
+    <message>
+        <source>depths on %1 read %2 % of the true ones</source>
+        <translation>%1 上的深度读数为真实值的 %2 %</translation>
+    </message>
+    <message>
+        <source>the body %1</source>
+        <translation>物体 %1</translation>
+    </message>
     <message>
         <source>left out</source>
         <translation>已排除</translation>
@@ -5628,6 +5672,74 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
 <context>
     <name>alltact::en</name>
     <message>
+        <source>Most frames have no reading: {}. Try: checking the unit and the beginning of the gauge's times.</source>
+        <translation>大多数帧没有读数：{}。建议：检查测力计时间的单位和起点。</translation>
+    </message>
+    <message>
+        <source>in millimetres, this body would be {:.3g} mm long</source>
+        <translation>以毫米计，该物体长度将为 {:.3g} mm</translation>
+    </message>
+    <message>
+        <source>exporting its mesh in millimetres</source>
+        <translation>以毫米为单位导出其网格</translation>
+    </message>
+    <message>
+        <source>only the joint method uses measured depths and bodies other than balls</source>
+        <translation>只有联合方法使用测量的深度和球以外的物体</translation>
+    </message>
+    <message>
+        <source>looking for the body in {}</source>
+        <translation>正在 {} 中查找物体</translation>
+    </message>
+    <message>
+        <source>its body was left out, because the balls show {:.1f} +- {:.1f} % of the depth that its shape has; check the balls' radius and the body's mesh</source>
+        <translation>其物体未使用，因为球显示的深度是其形状深度的 {:.1f} +- {:.1f} %；请检查球的半径和物体的网格</translation>
+    </message>
+    <message>
+        <source>there are only presses of bodies other than balls</source>
+        <translation>只有球以外物体的按压</translation>
+    </message>
+    <message>
+        <source>pressing a ball at least once as well: other bodies show the scale of depth, not its curve</source>
+        <translation>至少也按压一次球：其他物体显示深度的尺度，而不是其曲线</translation>
+    </message>
+    <message>
+        <source>it was not made with a ball</source>
+        <translation>不是用球按压的</translation>
+    </message>
+    <message>
+        <source>stopped before the body was found</source>
+        <translation>在找到物体之前已停止</translation>
+    </message>
+    <message>
+        <source>a body with slopes or curves, pressed in until 3 mm of skin rest on it</source>
+        <translation>使用带斜面或曲面的物体，压入至 3 mm 的皮肤贴合其上</translation>
+    </message>
+    <message>
+        <source>the body touches too little of the face</source>
+        <translation>物体接触的面积太小</translation>
+    </message>
+    <message>
+        <source>the skin is {:.2f} mm off the body in its best pose</source>
+        <translation>在最佳位姿下皮肤与物体相差 {:.2f} mm</translation>
+    </message>
+    <message>
+        <source>too little skin rests on the body away from its edges</source>
+        <translation>在远离边缘处贴合物体的皮肤太少</translation>
+    </message>
+    <message>
+        <source>the shape of this body leaves the scale of depth open</source>
+        <translation>该物体的形状无法确定深度的尺度</translation>
+    </message>
+    <message>
+        <source>the mesh encloses no volume</source>
+        <translation>网格没有包围任何体积</translation>
+    </message>
+    <message>
+        <source>a mesh of a solid body</source>
+        <translation>使用实体的网格</translation>
+    </message>
+    <message>
         <source>the image is damaged, truncated, or of a rare kind of TIFF</source>
         <translation>图像损坏、不完整，或是少见的 TIFF 类型</translation>
     </message>
@@ -5646,10 +5758,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>the image is black and white; 8 to 16 bits per pixel are needed</source>
         <translation>图像是黑白二值的；需要每像素 8 到 16 位</translation>
-    </message>
-    <message>
-        <source>light spreads in this layer: the steps of punches are compared with the mapping, which does not use them</source>
-        <translation>光在此层中扩散：压头的台阶只与映射比较，映射不使用它们</translation>
     </message>
     <message>
         <source>whether the layer may give light back beside where it went in; auto: if the brightness around the presses shows it, given three presses or more</source>
@@ -8451,10 +8559,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>{} mm，超过其他按压的三倍；请查看图像，或舍弃它</translation>
     </message>
     <message>
-        <source>only the joint method uses measured depths and punches with a step</source>
-        <translation>只有联合方法使用测得的深度和带台阶的压头</translation>
-    </message>
-    <message>
         <source>leaving them out, or --method joint</source>
         <translation>不使用它们，或使用 --method joint</translation>
     </message>
@@ -8525,14 +8629,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>at least one image of a pressed ball</source>
         <translation>至少一张球压入时的图像</translation>
-    </message>
-    <message>
-        <source>there are only presses of a punch with a step</source>
-        <translation>只有带台阶压头的按压</translation>
-    </message>
-    <message>
-        <source>pressing a ball at least once as well: a step shows how far apart two depths are, not where they begin</source>
-        <translation>至少再用球按压一次：台阶只说明两个深度相差多少，不说明从哪里算起</translation>
     </message>
     <message>
         <source>none of {} presses could be used: {}</source>
@@ -10467,10 +10563,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>an image of this finger, at the size of its camera</source>
         <translation>此手指的图像，尺寸与其相机相同</translation>
-    </message>
-    <message>
-        <source>a punch with a step is not a ball</source>
-        <translation>带台阶的压头不是球</translation>
     </message>
     <message>
         <source>the radius of the ball that was pressed is not known</source>

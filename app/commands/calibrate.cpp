@@ -51,6 +51,9 @@ void print_result(const FingerCalibration& done, Console& console) {
   for (const StepFit& step : calibration.steps)
     console.say(fmt::format("{}: step of {:.3f} mm, estimated as {} mm", step.press, step.step_mm,
                             value_and_sd(step.estimated_mm, step.sd_mm, 3)));
+  for (const BodyFit& body : calibration.bodies)
+    console.say(fmt::format("{}: depths on {} read {} % of the true ones", body.press, body.body,
+                            value_and_sd(100 * body.scale, 100 * body.sd, 1)));
   for (const Message& reason : calibration.left_out)
     console.warn(fmt::format("Left out: {}", reason));
   if (!done.problem_image.empty())

@@ -216,8 +216,9 @@ void add_check(CLI::App& program, Chosen& chosen) {
       ->type_name("R")
       ->transform(typed_number(kBallRadius))
       ->needs(images);
-  PressFlags steps;
-  steps.add_to(*command, "step");
+  PressFlags bodies;
+  bodies.add_to(*command, "step");
+  bodies.add_to(*command, "body");
   command
       ->add_option("--untouched", *untouched,
                    "Checks the reference with new images of the untouched finger: whether the "
@@ -235,7 +236,7 @@ void add_check(CLI::App& program, Chosen& chosen) {
     chosen = [=](Console& console) {
       if (!untouched->empty()) return run_check_reference(*folder, *untouched, console);
       if (!presses->files.empty()) {
-        steps.say(*press_set);
+        bodies.say(*press_set);
         return run_check_presses(*folder, *presses, *press_set, console);
       }
       return *numerics ? run_check_numerics(console) : run_check(*folder, console);

@@ -3,10 +3,12 @@
 #include "calibration/finger/calibrate_presses.h"
 #include "calibration/finger/calibration_inputs.h"
 #include "calibration/finger/measuring_presets.h"
+#include "calibration/joint/body_press.h"
 #include "calibration/joint/joint_fit.h"
 #include "calibration/joint/light_spread_fit.h"
 #include "calibration/joint/step_press.h"
 #include "calibration/presses/press.h"
+#include "calibration/presses/press_bodies.h"
 #include "calibration/report/press_errors.h"
 
 #include <algorithm>
@@ -72,29 +74,53 @@ Result<CheckedPress> measure(const Press& press, double light_change, const Face
   return result;
 }
 
-/// Measures the step of a punch with the mapping.
-Result<CheckedPress> measure_step(const Press& measured, double light_change, const Face& face,
-                                  const Mapping& mapping) {
-  const Press press = without_light_spread(measured, mapping.parameters());
-  const auto step = find_step(press, face);
-  if (!step) return step.error();
-  StepSamples read = *step;
-  for (Sample& sample : read.samples.samples)
+/// Turns the brightness of samples into depths, which a straight line of slope 1 reads as such.
+MappingCurve read_depths(const Mapping& mapping, PressSamples& samples) {
+  double deepest_mm = 1e-3;
+  for (Sample& sample : samples.samples) {
     sample.x =
         mapping.parameters().variation.at(sample.position_mm) * reading_mm(mapping, sample.x);
-  MappingCurve line({MappingKind::kPolynomial, 1}, 1.0);
+    deepest_mm = std::max(deepest_mm, sample.x);
+  }
+  // Noise in mm near zero depth.
+  samples.x_sd *= mapping.slope_mm(0);
+  MappingCurve line({MappingKind::kPolynomial, 1}, deepest_mm);
   line.set_line(1.0);
-  const double height_mm =
-      read_step(read, line, line.values().data(), mapping.parameters().along).height_mm;
-  CheckedPress result{press.name,
-                      std::abs(height_mm - step->step_mm),
-                      step->step_mm / height_mm,
-                      step->step_mm,
-                      light_change,
-                      {}};
+  return line;
+}
+
+/// Measures a punch or another body of known shape with the mapping.
+Result<CheckedPress> measure_shape(const Press& measured, double light_change, const Face& face,
+                                   const Mapping& mapping, const Job& job) {
+  const Press press = without_light_spread(measured, mapping.parameters());
+  const MappingAlong along = mapping.parameters().along;
+  CheckedPress result;
+  result.name = press.name;
+  result.light_change = light_change;
+  PressSamples samples;
+  double scale = 1;
+  if (press.step_mm) {
+    auto step = find_step(press, face);
+    if (!step) return step.error();
+    const MappingCurve line = read_depths(mapping, step->samples);
+    scale = read_step(*step, line, line.values().data(), along).height_mm / step->step_mm;
+    result.depth_mm = step->step_mm;
+    samples = std::move(step->samples);
+  } else {
+    samples = sample_for_body(press, face);
+    const MappingCurve line = read_depths(mapping, samples);
+    auto body = find_body(press.name, std::move(samples), *press.body->shape, line, along, job);
+    if (!body) return body.error();
+    scale = 1 / read_body(*body, line, line.values().data(), along).factor;
+    samples = std::move(body->samples);
+    for (const Sample& sample : samples.samples)
+      result.depth_mm = std::max(result.depth_mm, sample.x / scale);
+  }
+  result.factor = 1 / scale;
+  result.error_mm = std::abs(scale - 1) * result.depth_mm;
   result.spot.face_length_mm = face_length_mm(press.shape);
-  const auto count = static_cast<double>(read.samples.samples.size());
-  for (const Sample& sample : read.samples.samples) {
+  const auto count = static_cast<double>(samples.samples.size());
+  for (const Sample& sample : samples.samples) {
     result.spot.along_mm += sample.position_mm.x() / count;
     result.spot.across_mm += sample.position_mm.y() / count;
   }
@@ -124,7 +150,10 @@ Message in_a_row(const std::vector<Message>& sentences) {
 /// Returns the names of all presses that were read.
 Result<std::set<std::string>> measure_all(const PressInput& presses, PressMeter& meter,
                                           const Mapping& mapping, const PressSet& press_notes,
-                                          const Job& job, PressCheck& all) {
+                                          const fs::path& finger_folder, const Job& job,
+                                          PressCheck& all) {
+  const auto bodies = load_bodies(press_notes, finger_folder);
+  if (!bodies) return bodies.error();
   auto source = open_presses(presses);
   if (!source) return source.error();
   std::set<std::string> names;
@@ -146,11 +175,10 @@ Result<std::set<std::string>> measure_all(const PressInput& presses, PressMeter&
     }
     const double light = taken.sign.light_change;
     Press press = *taken.press;
-    press.ball_radius_mm = press_notes.radius_of(press.name);
-    press.step_mm = press_notes.of(press.name).step_mm;
+    apply_note(press_notes, *bodies, press);
     const Face& face = meter.pipeline().finger().face;
-    auto measured = press.step_mm ? measure_step(press, light, face, mapping)
-                                  : measure(press, light, face, mapping, job);
+    auto measured = press.is_ball() ? measure(press, light, face, mapping, job)
+                                    : measure_shape(press, light, face, mapping, job);
     if (measured) {
       all.presses.push_back(std::move(measured).value());
     } else {
@@ -191,7 +219,7 @@ std::vector<CheckedPress> own_presses(const fs::path& folder, PressMeter& meter,
   }
   if (presses.files.empty()) return {};
   PressCheck own;
-  if (!measure_all(presses, meter, mapping, inputs->press_set, job, own)) return {};
+  if (!measure_all(presses, meter, mapping, inputs->press_set, folder, job, own)) return {};
   return std::move(own.presses);
 }
 
@@ -297,7 +325,8 @@ Result<PressCheck> check_with_presses(const FingerSnapshot& snapshot, const Pres
   if (!pipeline) return pipeline.error();
   PressMeter meter(std::move(pipeline).value(), checksum ? *checksum : std::string());
   job.report(0.3, en::say("measuring the presses"));
-  const auto names = measure_all(presses, meter, *snapshot.mapping, press_notes, job, check);
+  const auto names =
+      measure_all(presses, meter, *snapshot.mapping, press_notes, snapshot.folder, job, check);
   if (!names) return names.error();
   for (const auto& [name, note] : press_notes.notes)
     if (!names->contains(name))
@@ -333,16 +362,7 @@ Result<BallByShape> ball_by_shape(const Press& measured, const Face& face, const
   JointOptions options;
   options.along = mapping.parameters().along;
   options.zone = kInnerRim;
-  double deepest = 0;
-  for (Sample& sample : samples.samples) {
-    sample.x =
-        mapping.parameters().variation.at(sample.position_mm) * reading_mm(mapping, sample.x);
-    deepest = std::max(deepest, sample.x);
-  }
-  // Noise in mm near zero depth: it only weighs samples against kFloorMm.
-  samples.x_sd *= mapping.slope_mm(0);
-  MappingCurve line({MappingKind::kPolynomial, 1}, std::max(deepest, 1e-3));
-  line.set_line(1.0);
+  const MappingCurve line = read_depths(mapping, samples);
   JointOptions fixed = options;
   fixed.fix_mapping = true;
   JointFit fit = fit_jointly({&samples}, {line, {guess->centre_mm}, false}, fixed, job);

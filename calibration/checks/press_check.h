@@ -17,7 +17,8 @@
 //                or the light differs by more than 6 %, or by three times its limit if that is
 //                more: a tenth of what is taken out of the light may stay in the depth.
 // A press counts only where the ball is found in it. For a flat punch with a step (step_press.h)
-// the error is that of its step's height.
+// the error is that of its step's height; for another body of known shape (body_press.h) that of
+// its deepest point.
 #pragma once
 
 #include "calibration/presses/press.h"
@@ -40,7 +41,7 @@ struct CheckedPress {
   std::string name;
   double error_mm = 0;
   double factor = 1;        ///< true depth / depth read: above 1 the mapping is too shallow
-  double depth_mm = 0;      ///< deepest point of the ball; of a punch the height of its step
+  double depth_mm = 0;      ///< deepest point of the body; of a punch the height of its step
   double light_change = 0;  ///< 0.02: the face is 2 % brighter than its reference
   ContactSpot spot;         ///< position on the face
 };

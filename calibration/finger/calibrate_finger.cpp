@@ -3,17 +3,21 @@
 #include "calibration/finger/calibrate_presses.h"
 #include "calibration/finger/calibration_file.h"
 #include "calibration/finger/calibration_report.h"
+#include "calibration/presses/press_bodies.h"
 #include "calibration/reference/reference_recording.h"
 #include "calibration/report/problem_image.h"
 #include "core/base/atomic_file.h"
 #include "core/base/utc_time.h"
 #include "core/finger/finger_store.h"
 #include "core/image/image_file.h"
+#include "core/mesh/mesh_file.h"
 #include "core/sensing/reference/recorded_poses.h"
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <opencv2/core.hpp>
@@ -140,14 +144,52 @@ void sign_inputs(const CalibrationWork& work, FingerCalibration& done) {
   inputs.date = same_but_for_date(inputs, stored) ? stored.date : now;
 }
 
+/// Bodies from outside the finger's folder, to be written into it; the notes name these copies.
+Result<std::vector<ReportFile>> copies_of_bodies(const fs::path& folder, PressSet& press_set) {
+  std::map<std::string, std::string> copies;  // content by name
+  for (auto& [press, note] : press_set.notes) {
+    if (!note.body || note.excluded) continue;
+    const fs::path file = body_file(folder, *note.body);
+    if (file.parent_path() == folder / kBodyFolder) {
+      note.body = (fs::path(kBodyFolder) / file.filename()).string();
+      continue;
+    }
+    auto content = read_file(file, kMaxMeshBytes);
+    if (!content) return content.error();
+    // Another body may have that name already.
+    for (int number = 1;; ++number) {
+      const std::string mark = number > 1 ? fmt::format("-{}", number) : "";
+      const std::string name =
+          (fs::path(kBodyFolder) / file.stem()).string() + mark + file.extension().string();
+      const auto other = copies.find(name);
+      const auto stored =
+          other != copies.end() ? Result(other->second) : read_file(folder / name, kMaxMeshBytes);
+      std::error_code failed;
+      if (stored ? *stored != *content : fs::exists(folder / name, failed)) continue;
+      note.body = name;
+      if (!stored) copies[name] = std::move(*content);
+      break;
+    }
+  }
+  std::vector<ReportFile> files;
+  for (auto& [name, content] : copies) files.push_back({name, std::move(content)});
+  return files;
+}
+
 /// Writes all files at once: until then the finger is unchanged.
 Status write(const CalibrationWork& work, FingerCalibration& done, const Job& job) {
   settle_finger(work, done);
+  auto bodies = copies_of_bodies(work.store->folder(), done.inputs.press_set);
+  if (!bodies) return bodies.error();
+  for (BodyFit& body : done.calibration.bodies)  // a copy may have another name
+    body.body = fs::path(*done.inputs.press_set.of(body.press).body).filename().string();
   sign_inputs(work, done);
   record(done);
-  std::vector<ReportFile> files{{CalibrationInputs::kFileName, done.inputs.to_yaml()},
-                                {kCalibrationFile, calibration_yaml(done)},
-                                {kReportJson, calibration_report_json(done)}};
+  std::vector<ReportFile> files = std::move(bodies).value();
+  const bool has_bodies = !files.empty();
+  files.push_back({CalibrationInputs::kFileName, done.inputs.to_yaml()});
+  files.push_back({kCalibrationFile, calibration_yaml(done)});
+  files.push_back({kReportJson, calibration_report_json(done)});
   bool has_pages = false;
   if (work.make_report && !job.stop_requested()) {
     job.report(0.95, en::say("writing the report"));
@@ -171,6 +213,8 @@ Status write(const CalibrationWork& work, FingerCalibration& done, const Job& jo
   std::error_code absent;
   if (fs::exists(work.store->folder() / PressSet::kFileName, absent))
     files.push_back({PressSet::kFileName, done.inputs.press_set.to_yaml()});
+  if (has_bodies)
+    if (const Status made = make_folder(change->staged() / kBodyFolder); !made) return made;
   for (const ReportFile& file : files) {
     const Status status = write_file_atomically(change->staged() / file.name, file.content);
     if (!status) return status;

@@ -3,6 +3,7 @@
 #include "calibration/finger/calibrate_finger.h"
 #include "calibration/finger/paper_pipeline.h"
 #include "calibration/joint/light_spread_fit.h"
+#include "calibration/presses/press_bodies.h"
 #include "calibration/reference/contact_search.h"
 #include "calibration/report/press_errors.h"
 #include "calibration/report/press_resolution.h"
@@ -54,11 +55,13 @@ CalibrationBasis basis_of(const FingerCalibration& done) {
         basis.shallowest_mm > 0 ? std::min(basis.shallowest_mm, ball.depth_mm) : ball.depth_mm;
     basis.deepest_mm = std::max(basis.deepest_mm, ball.depth_mm);
   }
-  // 0 stands for an external measure of the scale: a punch with a step, or a measured depth.
+  // 0 stands for an external measure of the scale: a punch with a step, another body of known
+  // shape, or a measured depth.
   const bool has_measured_depth =
       std::any_of(calibration.balls.begin(), calibration.balls.end(),
                   [](const BallFit& ball) { return ball.given_depth.has_value(); });
-  if (!calibration.steps.empty() || has_measured_depth) basis.ball_radii_mm.push_back(0);
+  if (!calibration.steps.empty() || !calibration.bodies.empty() || has_measured_depth)
+    basis.ball_radii_mm.push_back(0);
   std::sort(basis.ball_radii_mm.begin(), basis.ball_radii_mm.end());
   basis.ball_radii_mm.erase(std::unique(basis.ball_radii_mm.begin(), basis.ball_radii_mm.end()),
                             basis.ball_radii_mm.end());
@@ -130,15 +133,10 @@ Status check_stored(const CalibrationWork& work, const Frame& frame, std::size_t
                en::say("calibrating again with the existing images")};
 }
 
-/// Ball, depth, step, exclusion.
-void apply_notes(const PressSet& press_set, MeasuredPress& press) {
+/// The notes about a press and its exclusion.
+void apply_notes(const PressSet& press_set, const PressBodies& bodies, MeasuredPress& press) {
+  if (press.press) apply_note(press_set, bodies, *press.press);
   const PressNote& note = press_set.of(press.name);
-  if (press.press) {
-    press.press->ball_radius_mm = press_set.radius_of(press.name);
-    press.press->ball_mm = note.ball_mm;
-    press.press->given_depth = note.depth;
-    press.press->step_mm = note.step_mm;
-  }
   if (note.excluded)
     press.left_out = en::list({en::say("excluded"), Message::typed(*note.excluded)});
 }
@@ -147,6 +145,8 @@ Status measure_presses(CalibrationWork& work, PressMeter& meter, FingerCalibrati
                        const Job& job) {
   PressInput input = work.presses;
   input.frames_per_press = static_cast<std::size_t>(done.inputs.calibration.frames_per_press);
+  const auto bodies = load_bodies(done.inputs.press_set, work.store->folder());
+  if (!bodies) return bodies.error();
   auto source = open_presses(input);
   if (!source) return source.error();
   if (!work.stored) done.inputs.is_continuous = is_one_video(**source);
@@ -170,7 +170,7 @@ Status measure_presses(CalibrationWork& work, PressMeter& meter, FingerCalibrati
     const auto measured = done.inputs.is_continuous ? meter.next(frame) : meter(frame, job);
     if (!measured) return measured.error();
     done.presses.push_back(**measured);
-    apply_notes(done.inputs.press_set, done.presses.back());
+    apply_notes(done.inputs.press_set, *bodies, done.presses.back());
     work.frames.push_back(frame);
   }
   done.source_remarks = (*source)->remarks();
@@ -341,9 +341,9 @@ Status solve_presses(FingerCalibration& done, const MeasureAsPaper& as_paper, co
   const auto& notes = inputs.press_set.notes;
   if (inputs.calibration.method != CalibrationMethod::kJoint &&
       std::any_of(notes.begin(), notes.end(),
-                  [](const auto& entry) { return entry.second.depth || entry.second.step_mm; }))
-    return Error{en::say("only the joint method uses measured depths and punches with a step"), "",
-                 en::say("leaving them out, or --method joint")};
+                  [](const auto& entry) { return entry.second.depth || !entry.second.is_ball(); }))
+    return Error{en::say("only the joint method uses measured depths and bodies other than balls"),
+                 "", en::say("leaving them out, or --method joint")};
   if (used.empty())
     return Error{en::clauses({en::say("no press can be used"), en::clauses(left_out)}), "",
                  en::say("images of this finger with a ball pressed into its face")};
@@ -374,7 +374,7 @@ Status solve_presses(FingerCalibration& done, const MeasureAsPaper& as_paper, co
     local.push_back(without_light_spread(press, done.calibration.mapping));
   std::vector<const Press*> presses;
   for (const Press& press : local)
-    if (!press.step_mm) presses.push_back(&press);
+    if (press.is_ball()) presses.push_back(&press);
   done.residuals = press_residuals(presses, done.finger.face, done.calibration);
   done.zones = zone_errors(done.residuals, done.calibration, done.finger.face.kind);
   std::vector<PressSign> signs;
@@ -444,7 +444,7 @@ Contradiction wider_than_ball(const FingerCalibration& done) {
   Contradiction wider;
   wider.kind = ContradictionKind::kContactWiderThanBall;
   for (const MeasuredPress& taken : done.presses) {
-    if (!taken.press || taken.press->step_mm) continue;
+    if (!taken.press || !taken.press->is_ball()) continue;
     if (const auto& note = done.inputs.press_set.of(taken.name); note.excluded) continue;
     Press press = *taken.press;
     const double radius_mm = press.ball_radius_mm;
@@ -574,13 +574,16 @@ int side_of(const std::vector<ResidualSample>& samples) {
 }  // namespace
 
 Result<FingerCalibration> forecast_calibration(const Finger& finger,
+                                               const std::filesystem::path& finger_folder,
                                                std::vector<MeasuredPress> presses,
                                                const CalibrationInputs& inputs, const Job& job) {
   FingerCalibration done;
   done.finger = finger;
   done.inputs = inputs;
   done.presses = std::move(presses);
-  for (MeasuredPress& press : done.presses) apply_notes(inputs.press_set, press);
+  const auto bodies = load_bodies(inputs.press_set, finger_folder);
+  if (!bodies) return bodies.error();
+  for (MeasuredPress& press : done.presses) apply_notes(inputs.press_set, *bodies, press);
   if (const Status solved = solve_presses(done, {}, job, {}); !solved) return solved.error();
   return done;
 }

@@ -8,6 +8,7 @@
 #include "core/sensing/pipeline.h"
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -95,11 +96,10 @@ using MeasureAsPaper = std::function<Result<std::vector<Press>>()>;
 
 /// The figures of calibrate_finger() with these presses, in the order of their names, if the
 /// pipeline's settings are the same. `presses`: as PressMeter returns them. `inputs` holds the
-/// settings and the notes on the presses. Errors: those of solve_presses().
-[[nodiscard]] Result<FingerCalibration> forecast_calibration(const Finger& finger,
-                                                             std::vector<MeasuredPress> presses,
-                                                             const CalibrationInputs& inputs,
-                                                             const Job& job);
+/// settings and the notes on the presses. Errors: those of solve_presses() and load_bodies().
+[[nodiscard]] Result<FingerCalibration> forecast_calibration(
+    const Finger& finger, const std::filesystem::path& finger_folder,
+    std::vector<MeasuredPress> presses, const CalibrationInputs& inputs, const Job& job);
 
 /// One press compared with a known mapping, its ball at `centre_mm`: about 12 ms.
 struct PressFit {

@@ -164,6 +164,13 @@ static void describe(Fields& fields, StepFit& step) {
   describe_figure(fields, "sd_mm", step.sd_mm);
 }
 
+static void describe(Fields& fields, BodyFit& body) {
+  fields.text("press", body.press);
+  fields.text("body", body.body);
+  describe_figure(fields, "scale", body.scale);
+  describe_figure(fields, "sd", body.sd);
+}
+
 static void describe(Fields& fields, Halo& halo) {
   describe_figure(fields, "near_mm", halo.near_mm);
   describe_figure(fields, "far_mm", halo.far_mm);
@@ -186,6 +193,7 @@ static void describe(Fields& fields, FingerCalibration& done) {
   fields.section(may("next_press"), calibration.next_press);
   fields.section(may("halo"), done.halo);
   fields.sections(may("steps", !calibration.steps.empty()), calibration.steps);
+  fields.sections(may("bodies", !calibration.bodies.empty()), calibration.bodies);
   auto& balls = calibration.balls;
   fields.sections(
       may("presses", !balls.empty()), Fields::Layout::kBraces, balls.size(),

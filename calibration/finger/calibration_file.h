@@ -13,6 +13,8 @@
 //   halo: {near_mm: 0.01, ..., is_seen: false}
 //   steps:                            # punches with a step
 //     - {press: press_7, step_mm: 0.5, reads_mm: 0.49, sd_mm: 0.01}
+//   bodies:                           # other bodies of known shape: depth read / true depth
+//     - {press: press_8, body: rod.stl, scale: 1.004, sd: 0.006}
 //   presses:                          # balls; last, so that a truncated file lacks some
 //     - {press: press_0, ball_radius_mm: 4.0, centre_mm: [...], ..., samples: "u v x ..."}
 #pragma once
@@ -32,8 +34,9 @@ inline constexpr const char* kCalibrationFile = "calibration.yaml";
 /// calibration gives the same bytes.
 [[nodiscard]] std::string calibration_yaml(const FingerCalibration& done);
 
-/// Fills the calibration's balls, steps, sentences and figures, residuals, halo, fault_signs and
-/// about_settings; all else stays empty. Errors: another format; anything missing or impossible.
+/// Fills the calibration's balls, steps, bodies, sentences and figures, residuals, halo,
+/// fault_signs and about_settings; all else stays empty. Errors: another format; anything missing
+/// or impossible.
 [[nodiscard]] Result<FingerCalibration> parse_calibration(const std::string& yaml,
                                                           const std::filesystem::path& origin);
 

@@ -150,6 +150,11 @@ std::string calibration_report_json(const FingerCalibration& done) {
                      {"reads_mm", step.estimated_mm},
                      {"sd_mm", step.sd_mm}});
   if (!steps.empty()) report["steps"] = std::move(steps);
+  Json bodies = Json::array();
+  for (const BodyFit& body : calibration.bodies)
+    bodies.push_back(
+        {{"press", body.press}, {"body", body.body}, {"scale", body.scale}, {"sd", body.sd}});
+  if (!bodies.empty()) report["bodies"] = std::move(bodies);
   Json excluded = Json::array();
   for (const auto& [name, note] : done.inputs.press_set.notes)
     if (note.excluded) excluded.push_back({{"press", name}, {"because", *note.excluded}});

@@ -12,7 +12,7 @@ Result<std::vector<Press>> paper_presses(PaperMethod& method, const std::vector<
   for (const FramePtr& frame : frames) {
     if (job.stop_requested()) return Error{en::say("stopped before there was a solution"), "", ""};
     const PressNote& note = press_set.of(frame->name);
-    if (note.excluded || note.step_mm) continue;
+    if (note.excluded || !note.is_ball()) continue;
     method.forget();
     auto result = method.measure(frame);
     if (!result) return result.error();

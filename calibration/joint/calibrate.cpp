@@ -2,10 +2,11 @@
 
 #include "calibration/joint/contact_model.h"
 #include "calibration/joint/joint_fit.h"
+#include "calibration/joint/known_shape.h"
 #include "calibration/joint/light_spread_fit.h"
 #include "calibration/joint/mapping_curve.h"
 #include "calibration/joint/outline_methods.h"
-#include "calibration/joint/step_press.h"
+#include "calibration/joint/spread_shapes.h"
 #include "calibration/presses/press.h"
 #include "calibration/verdict/verdict.h"
 #include "core/base/job.h"
@@ -59,7 +60,7 @@ bool before(const FoundBall& a, const FoundBall& b) {
   return key(a) < key(b);
 }
 
-/// Finds the balls of all presses but punches, in an order that depends only on the measurements.
+/// Finds the balls of all presses made with one, in an order that depends only on the measurements.
 /// `unusable` receives a sentence without full stop for each other press: no ball to be found, the
 /// same image as another press, too few samples in the contact. A stopped job ends it early.
 std::vector<FoundBall> find_balls(const std::vector<Press>& presses, const Face& face,
@@ -67,7 +68,7 @@ std::vector<FoundBall> find_balls(const std::vector<Press>& presses, const Face&
   std::vector<FoundBall> found;
   for (std::size_t i = 0; i < presses.size() && !job.stop_requested(); ++i) {
     const Press& press = presses[i];
-    if (press.step_mm) continue;
+    if (!press.is_ball()) continue;
     job.report(0.2 * static_cast<double>(i) / static_cast<double>(presses.size()),
                en::say("looking for the ball in {}", press.name));
     const auto duplicate =
@@ -106,69 +107,76 @@ bool is_far(double measured, double seen, double measured_sd, double seen_sd) {
   return std::abs(measured - seen) > kFar * std::hypot(measured_sd, seen_sd);
 }
 
-/// Finds the punches among the presses. `left_out` receives the reasons of unusable ones.
-std::vector<StepSamples> find_steps(const std::vector<Press>& presses, const Face& face,
-                                    std::vector<Message>* left_out) {
-  std::vector<StepSamples> steps;
-  for (const Press& press : presses) {
-    if (!press.step_mm) continue;
-    auto step = find_step(press, face);
-    if (step)
-      steps.push_back(std::move(step).value());
-    else
-      left_out->push_back(en::say("{}.", step.error().message()));
+/// Steps and bodies as a fitted curve measures them.
+void record_shapes(const std::vector<KnownShape>& shapes, const std::vector<Press>& presses,
+                   const MappingCurve& curve, MappingAlong along, Calibration* calibration) {
+  for (const KnownShape& shape : shapes) {
+    const ScaleReading reading = read_scale(shape, curve, curve.values().data(), along);
+    const std::string& name = press_of(shape);
+    if (const auto* step = std::get_if<StepSamples>(&shape)) {
+      calibration->steps.push_back(
+          {name, step->step_mm, reading.scale * step->step_mm, reading.sd * step->step_mm});
+      continue;
+    }
+    const auto press = std::find_if(presses.begin(), presses.end(),
+                                    [&](const Press& one) { return one.name == name; });
+    calibration->bodies.push_back({name, press->body->file, reading.scale, reading.sd});
   }
-  return steps;
 }
 
-/// The steps as a fitted curve measures them.
-std::vector<StepFit> steps_of(const std::vector<StepSamples>& steps, const MappingCurve& curve,
-                              MappingAlong along) {
-  std::vector<StepFit> fits;
-  for (const StepSamples& step : steps) {
-    const StepReading reading = read_step(step, curve, curve.values().data(), along);
-    fits.push_back({step.press, step.step_mm, reading.height_mm, reading.sd_mm});
-  }
-  return fits;
+/// Why a shape was left out, where the balls give its scale.
+Message contradiction(const KnownShape& shape, double scale, double sd) {
+  const auto* step = std::get_if<StepSamples>(&shape);
+  return en::at(
+      Message::typed(press_of(shape)),
+      step != nullptr
+          ? en::say("its step of {:.3f} mm was left out, because the balls show "
+                    "{:.3f} +- {:.3f} mm; check the balls' radius",
+                    step->step_mm, scale * step->step_mm, sd * step->step_mm)
+          : en::say("its body was left out, because the balls show {:.1f} +- {:.1f} % of the "
+                    "depth that its shape has; check the balls' radius and the body's mesh",
+                    100 * scale, 100 * sd));
 }
 
-/// Solves from the images alone and drops measured depths and steps that contradict the solution.
-/// The limit is four standard deviations of both: a gauge that was not set to zero must not stretch
-/// all depths. Returns the reasons. Drops nothing where the images alone leave the depth open.
-std::vector<Message> drop_contradicting(std::vector<FoundBall>& presses,
-                                        std::vector<StepSamples>& steps,
-                                        const CalibrationSettings& settings, const Job& job) {
-  const bool any_depth = std::any_of(presses.begin(), presses.end(), [](const FoundBall& one) {
-    return one.fine.given_depth.has_value();
-  });
-  if (!any_depth && steps.empty()) return {};
-  ChoiceInput images_only;
-  std::vector<PressSamples> without_depths;
-  for (const FoundBall& one : presses) {
-    without_depths.push_back(one.coarse);
-    without_depths.back().given_depth.reset();
-    images_only.centres_mm.push_back(one.guess.centre_mm);
-  }
-  for (const PressSamples& samples : without_depths) images_only.presses.push_back(&samples);
-  const auto choice = choose_model(images_only, settings, job);
-  if (!choice) return {};
-  const Eigen::MatrixXd covariance =
-      covariance_of(images_only.presses, choice->fit, choice->options);
-  if (covariance.size() == 0) return {};
+/// What the balls show without measured depths and other bodies.
+struct BallsAlone {
+  std::vector<PressSamples> presses;  // coarse
+  ModelChoice choice;
+  Eigen::MatrixXd covariance;  // empty: the images leave the depth open
+};
 
-  std::vector<Message> reasons;
-  const Eigen::Index numbers = choice->fit.curve.values().size();
+std::optional<BallsAlone> solve_balls_alone(const std::vector<FoundBall>& found,
+                                            const CalibrationSettings& settings, const Job& job) {
+  std::vector<PressSamples> presses;
+  ChoiceInput input;
+  for (const FoundBall& one : found) {
+    presses.push_back(one.coarse);
+    presses.back().given_depth.reset();
+    input.centres_mm.push_back(one.guess.centre_mm);
+  }
+  for (const PressSamples& samples : presses) input.presses.push_back(&samples);
+  auto choice = choose_model(input, settings, job);
+  if (!choice) return std::nullopt;
+  Eigen::MatrixXd covariance = covariance_of(input.presses, choice->fit, choice->options);
+  return BallsAlone{std::move(presses), std::move(*choice), std::move(covariance)};
+}
+
+/// Drops measured depths that contradict the images by more than four standard deviations of both:
+/// a gauge that was not set to zero must not stretch all depths. `reasons` receives why.
+void drop_depths(const BallsAlone& alone, std::vector<FoundBall>& presses,
+                 std::vector<Message>* reasons) {
+  const JointFit& fit = alone.choice.fit;
+  const Eigen::Index numbers = fit.curve.values().size();
   for (std::size_t i = 0; i < presses.size(); ++i) {
     const auto& measured = presses[i].fine.given_depth;
     if (!measured) continue;
-    const Eigen::Vector3d& centre = choice->fit.centres_mm[i];
-    const PressedPlane plane = plane_below(without_depths[i], centre);
+    const PressedPlane plane = plane_below(alone.presses[i], fit.centres_mm[i]);
     const auto first = numbers + 3 * static_cast<Eigen::Index>(i);
-    const double seen_mm = without_depths[i].ball_radius_mm - plane.height_mm(centre);
+    const double seen_mm = alone.presses[i].ball_radius_mm - plane.height_mm(fit.centres_mm[i]);
     const double seen_sd_mm = std::sqrt(
-        std::max(0.0, plane.normal.dot(covariance.block<3, 3>(first, first) * plane.normal)));
+        std::max(0.0, plane.normal.dot(alone.covariance.block<3, 3>(first, first) * plane.normal)));
     if (!is_far(measured->mm, seen_mm, measured->sd_mm, seen_sd_mm)) continue;
-    reasons.push_back(en::at(
+    reasons->push_back(en::at(
         Message::typed(presses[i].press->name),
         en::say(
             "its measured depth of {:.3f} +- {:.3f} mm was left out, because the images show "
@@ -177,29 +185,58 @@ std::vector<Message> drop_contradicting(std::vector<FoundBall>& presses,
     presses[i].coarse.given_depth.reset();
     presses[i].fine.given_depth.reset();
   }
-  std::erase_if(steps, [&](const StepSamples& step) {
-    const MappingCurve& curve = choice->fit.curve;
-    const StepReading seen = read_step(step, curve, curve.values().data(), choice->options.along);
-    const double seen_sd_mm = std::sqrt(std::max(
-        0.0, seen.by_values.dot(covariance.topLeftCorner(numbers, numbers) * seen.by_values)));
-    if (!is_far(step.step_mm, seen.height_mm, seen.sd_mm, seen_sd_mm)) return false;
-    reasons.push_back(
-        en::at(Message::typed(step.press),
-               en::say("its step of {:.3f} mm was left out, because the balls show "
-                       "{:.3f} +- {:.3f} mm; check the balls' radius",
-                       step.step_mm, seen.height_mm, std::hypot(seen.sd_mm, seen_sd_mm))));
+}
+
+/// The same for the scale by steps and bodies.
+void drop_shapes(const BallsAlone& alone, std::vector<KnownShape>& shapes,
+                 std::vector<Message>* reasons) {
+  const MappingCurve& curve = alone.choice.fit.curve;
+  const Eigen::Index numbers = curve.values().size();
+  std::erase_if(shapes, [&](const KnownShape& shape) {
+    const ScaleReading seen =
+        read_scale(shape, curve, curve.values().data(), alone.choice.options.along);
+    const double seen_sd = std::sqrt(std::max(
+        0.0,
+        seen.by_values.dot(alone.covariance.topLeftCorner(numbers, numbers) * seen.by_values)));
+    if (!is_far(1, seen.scale, seen.sd, seen_sd)) return false;
+    reasons->push_back(contradiction(shape, seen.scale, std::hypot(seen.sd, seen_sd)));
     return true;
   });
-  return reasons;
+}
+
+/// Steps of punches, other bodies and measured depths that agree with the balls; the rest is
+/// dropped, and `calibration` receives why. Nothing is dropped where the images of the balls leave
+/// the depth open, and no body is found where they give no mapping.
+std::vector<KnownShape> known_shapes(const std::vector<Press>& presses, const Face& face,
+                                     const PressedArea& area, const CalibrationSettings& settings,
+                                     const Job& job, std::vector<FoundBall>& found,
+                                     Calibration* calibration) {
+  std::vector<KnownShape> shapes = find_steps(presses, face, &calibration->left_out);
+  for (KnownShape& shape : shapes) set_unit_positions(area, &samples_of(shape));
+  const bool any_depth = std::any_of(found.begin(), found.end(), [](const FoundBall& one) {
+    return one.fine.given_depth.has_value();
+  });
+  const bool any_body = std::any_of(presses.begin(), presses.end(),
+                                    [](const Press& press) { return press.body.has_value(); });
+  if (!any_depth && !any_body && shapes.empty()) return shapes;
+  const auto alone = solve_balls_alone(found, settings, job);
+  if (!alone) return shapes;
+  for (KnownShape& body : find_bodies(presses, face, area, alone->choice.fit.curve,
+                                      alone->choice.options.along, job, &calibration->left_out))
+    shapes.push_back(std::move(body));
+  if (alone->covariance.size() == 0) return shapes;
+  drop_depths(*alone, found, &calibration->left_out);
+  drop_shapes(*alone, shapes, &calibration->left_out);
+  return shapes;
 }
 
 Error no_press(const std::vector<Press>& presses, const std::vector<Message>& left_out) {
   if (presses.empty())
     return {en::say("no press was given"), "", en::say("at least one image of a pressed ball")};
-  if (std::all_of(presses.begin(), presses.end(), [](const Press& p) { return p.step_mm; }))
-    return {en::say("there are only presses of a punch with a step"), "",
-            en::say("pressing a ball at least once as well: a step shows how far apart two depths "
-                    "are, not where they begin")};
+  if (std::none_of(presses.begin(), presses.end(), [](const Press& p) { return p.is_ball(); }))
+    return {en::say("there are only presses of bodies other than balls"), "",
+            en::say("pressing a ball at least once as well: other bodies show the scale of depth, "
+                    "not its curve")};
   return {
       en::say("none of {} presses could be used: {}", presses.size(), en::sentences(left_out)), "",
       en::say(
@@ -318,8 +355,8 @@ void sort_as_given(const std::vector<Press>& presses, std::vector<BallFit>* ball
 /// The fit of spread light, if the settings allow it and the presses show it.
 std::optional<LightSpreadFit> seen_light_spread(const std::vector<FoundBall>& found,
                                                 const Face& face,
-                                                const CalibrationSettings& settings,
-                                                const Job& job) {
+                                                const CalibrationSettings& settings, const Job& job,
+                                                SpreadShapes& shapes) {
   const bool is_allowed =
       settings.light_spread == LightSpreadChoice::kAuto && settings.degree == 0 &&
       (settings.family == FamilyChoice::kAuto || settings.family == FamilyChoice::kMoebius) &&
@@ -328,7 +365,8 @@ std::optional<LightSpreadFit> seen_light_spread(const std::vector<FoundBall>& fo
   job.report(0.25, en::say("looking for light that spreads"));
   std::vector<BallStart> balls;
   for (const FoundBall& one : found) balls.push_back({one.press, one.guess.centre_mm});
-  auto fit = fit_light_spread(balls, face, job);
+  auto fit = fit_light_spread(
+      balls, face, [&](const MappingParameters& mapping) { return shapes.read(mapping); }, job);
   if (fit && fit->is_seen) return fit;
   return std::nullopt;
 }
@@ -340,12 +378,30 @@ Eigen::MatrixXd at_least(double least_mm, const MappingCurve& curve,
   return inflation * inflation * covariance;
 }
 
+/// Steps and bodies that the fit of a layer that spreads light used, and why not the others.
+void record_spread_shapes(const LightSpreadFit& fit, const SpreadShapes& shapes,
+                          const std::vector<Press>& presses, const MappingParameters& mapping,
+                          Calibration* calibration) {
+  calibration->left_out.insert(calibration->left_out.end(), shapes.left_out().begin(),
+                               shapes.left_out().end());
+  std::vector<KnownShape> used;
+  for (std::size_t i = 0; i < fit.scales.size(); ++i) {
+    const ScaleByBalls& seen = fit.scales[i];
+    const KnownShape& shape = shapes.shapes()[i];
+    if (seen.agrees)
+      used.push_back(shape);
+    else
+      calibration->left_out.push_back(contradiction(shape, seen.scale, seen.sd));
+  }
+  record_shapes(used, presses, curve_of(mapping), MappingAlong::kNormal, calibration);
+}
+
 /// The calibration of a layer that spreads light, from its fit. Figures of presses are those of
 /// the brightness without the spread.
 Result<Calibration> solve_with_spread(const std::vector<Press>& presses,
                                       const std::vector<FoundBall>& found, const Face& face,
-                                      const LightSpreadFit& fit, const Job& job,
-                                      Calibration calibration) {
+                                      const LightSpreadFit& fit, const SpreadShapes& shapes,
+                                      const Job& job, Calibration calibration) {
   // Error of the formulas of light_spread.h, of a depth, and common to all presses: together with
   // the fit's own deviation 0.06, as on fingers of the renderer in tests/foreign.
   constexpr double kFormula = 0.05;
@@ -399,16 +455,7 @@ Result<Calibration> solve_with_spread(const std::vector<Press>& presses,
         advise(coarse.presses, solution, choice.options, face_length_mm(balls));
   calibration.residual_mm = mean_of(calibration.balls, &BallFit::residual_mm);
   calibration.held_out_mm = mean_of(calibration.balls, &BallFit::held_out_mm);
-  std::vector<Press> punches;
-  for (const Press& press : presses)
-    if (press.step_mm) punches.push_back(without_light_spread(press, fit.mapping));
-  std::vector<Message> unusable;  // already reported
-  calibration.steps =
-      steps_of(find_steps(punches, face, &unusable), solution.curve, MappingAlong::kNormal);
-  if (!punches.empty())
-    calibration.remarks.push_back(
-        en::say("light spreads in this layer: the steps of punches are compared with the mapping, "
-                "which does not use them"));
+  record_spread_shapes(fit, shapes, presses, calibration.mapping, &calibration);
   calibration.degree_choice =
       en::at(solution.curve.family().name(), en::say("the curve of a layer that spreads light"));
   const LightSpread& spread = fit.mapping.spread;
@@ -463,7 +510,6 @@ Result<Calibration> solve_jointly(const std::vector<Press>& presses, std::vector
                                   const Face& face, const CalibrationSettings& settings,
                                   const Job& job, const RoundListener& on_round,
                                   Calibration calibration) {
-  std::vector<StepSamples> steps = find_steps(presses, face, &calibration.left_out);
   std::vector<const PressSamples*> fine;
   for (const FoundBall& f : found) fine.push_back(&f.fine);
   const PressedArea part = pressed_area(fine);
@@ -471,14 +517,15 @@ Result<Calibration> solve_jointly(const std::vector<Press>& presses, std::vector
     set_unit_positions(part, &f.fine);
     set_unit_positions(part, &f.coarse);
   }
-  for (StepSamples& step : steps) set_unit_positions(part, &step.samples);
-  if (const auto spread = seen_light_spread(found, face, settings, job))
-    return solve_with_spread(presses, found, face, *spread, job, std::move(calibration));
-  for (Message& reason : drop_contradicting(found, steps, settings, job))
-    calibration.left_out.push_back(std::move(reason));
+  SpreadShapes in_spread_light(presses, face, job);
+  if (const auto spread = seen_light_spread(found, face, settings, job, in_spread_light))
+    return solve_with_spread(presses, found, face, *spread, in_spread_light, job,
+                             std::move(calibration));
+  const std::vector<KnownShape> shapes =
+      known_shapes(presses, face, part, settings, job, found, &calibration);
   ChoiceInput coarse;
   coarse.max_rounds = settings.iterations;
-  if (!steps.empty()) coarse.steps = &steps;
+  if (!shapes.empty()) coarse.shapes = &shapes;
   for (const FoundBall& f : found) {
     coarse.presses.push_back(&f.coarse);
     coarse.centres_mm.push_back(f.guess.centre_mm);
@@ -528,7 +575,7 @@ Result<Calibration> solve_jointly(const std::vector<Press>& presses, std::vector
     calibration.next_press = advise(coarse.presses, fit, choice->options, face_length_mm(found));
   calibration.balls = balls_of(found, *choice, fit, covariance, job);
   if (const auto impossible = beyond_layer(calibration.balls, face)) return *impossible;
-  calibration.steps = steps_of(steps, fit.curve, choice->options.along);
+  record_shapes(shapes, presses, fit.curve, choice->options.along, &calibration);
   calibration.residual_mm = mean_of(calibration.balls, &BallFit::residual_mm);
   calibration.held_out_mm = mean_of(calibration.balls, &BallFit::held_out_mm);
   calibration.spread_mm = choice->spread_mm;
@@ -555,7 +602,7 @@ Result<Calibration> calibrate(const std::vector<Press>& presses, const Camera& c
                               const Face& face, const CalibrationSettings& settings, const Job& job,
                               const RoundListener& on_round) {
   for (const Press& press : presses)
-    if (!press.step_mm && (!(press.ball_radius_mm > 0.0) || !std::isfinite(press.ball_radius_mm)))
+    if (press.is_ball() && (!(press.ball_radius_mm > 0.0) || !std::isfinite(press.ball_radius_mm)))
       return Error{en::say("a ball radius of {} mm is impossible", press.ball_radius_mm),
                    press.name, en::say("the radius in millimetres, as measured with callipers")};
   try {

@@ -13,7 +13,7 @@
 //   sum_i rho(s_i (x_i - g(d_i(c))) / sigma_i)             brightness in the contacts
 // + sum_k rho((angle(r_k, c) - asin(R / |c|)) / sigma_k)   rays r_k of the occluding contour
 // + sum_p ((R - height_p(c) - h_p) / sigma_p)^2            measured depths h_p, where there are any
-// + sum_q ((step_q(M) - t_q) / sigma_q)^2                  steps t_q of punches, likewise
+// + sum_q ((scale_q(M) - 1) / sigma_q)^2                   scale by other bodies of known shape
 // and priors of a layer's absorption and of the lift-off length, by iteratively reweighted least
 // squares; rho is the soft L1 loss. Samples are block means of the image. The face's own distance
 // is known to 0.05 mm. The component of the rays' residuals that moves ball and face apart along z
@@ -27,9 +27,9 @@
 // curve's low end takes up a common motion of all balls along the normal. M(0) = 0 is exact for
 // this reason, and presses of different depths constrain the rest. A scale: only the contacts'
 // curvature gives it. A radius that is wrong by 1 % makes depths wrong by about as much. Residuals
-// hardly show it (Calibration::radius_sensitivity); a measured depth or a step does. With one press
-// both directions are open, and a remark states it. Where the Jacobian is not of full rank the
-// covariance is empty, and another remark states it.
+// hardly show it (Calibration::radius_sensitivity); a measured depth or another body does. With one
+// press both directions are open, and a remark states it. Where the Jacobian is not of full rank
+// the covariance is empty, and another remark states it.
 //
 // WHAT IS ESTIMATED
 // Three numbers for each ball; the mapping's: two or three of a Kubelka-Munk layer, or up to eight
@@ -158,10 +158,19 @@ struct StepFit {
   double sd_mm = 0;         ///< of the estimate alone
 };
 
+/// The body of one press in the solution.
+struct BodyFit {
+  std::string press;
+  std::string body;  ///< its mesh's file name
+  double scale = 1;  ///< depth by the mapping / depth by the body's shape
+  double sd = 0;     ///< of that estimate alone
+};
+
 struct Calibration {
   MappingParameters mapping;
   std::vector<BallFit> balls;
-  std::vector<StepFit> steps;  ///< joint method only
+  std::vector<StepFit> steps;   ///< joint method only
+  std::vector<BodyFit> bodies;  ///< likewise
   double residual_mm = 0;
   double held_out_mm = 0;  ///< 0 when there was only one press
   /// Common error of all depths, mean absolute over the domain. It is the larger of the jackknife

@@ -94,22 +94,21 @@ bool GivenDepthCost::Evaluate(double const* const* parameters, double* residuals
   return true;
 }
 
-StepCost::StepCost(const StepSamples& step, const MappingCurve& curve, MappingAlong along)
-    : step_(step), curve_(curve), along_(along) {
+ScaleCost::ScaleCost(const KnownShape& shape, const MappingCurve& curve, MappingAlong along)
+    : reading_(read_scale(shape, curve, curve.values().data(), along)), values_(curve.values()) {
   set_num_residuals(1);
   mutable_parameter_block_sizes()->push_back(curve.family().numbers());
-  sd_mm_ = read_step(step, curve, curve.values().data(), along).sd_mm;
 }
 
-bool StepCost::Evaluate(double const* const* parameters, double* residuals,
-                        double** jacobians) const {
-  const StepReading reading = read_step(step_, curve_, parameters[0], along_);
-  const double root_weight = kRootWeightOfKnown / sd_mm_;
-  residuals[0] = root_weight * (reading.height_mm - step_.step_mm);
+bool ScaleCost::Evaluate(double const* const* parameters, double* residuals,
+                         double** jacobians) const {
+  const double root_weight = kRootWeightOfKnown / reading_.sd;
+  const Eigen::Map<const Eigen::VectorXd> values(parameters[0], values_.size());
+  residuals[0] = root_weight *
+                 (reading_.scale - 1 + reading_.by_values.dot(Eigen::VectorXd(values - values_)));
   if (!std::isfinite(residuals[0])) return false;
   if (jacobians != nullptr && jacobians[0] != nullptr)
-    Eigen::Map<Eigen::VectorXd>(jacobians[0], reading.by_values.size()) =
-        root_weight * reading.by_values;
+    Eigen::Map<Eigen::VectorXd>(jacobians[0], values_.size()) = root_weight * reading_.by_values;
   return true;
 }
 

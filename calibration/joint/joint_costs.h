@@ -3,8 +3,8 @@
 #pragma once
 
 #include "calibration/joint/joint_fit.h"
+#include "calibration/joint/known_shape.h"
 #include "calibration/joint/mapping_curve.h"
-#include "calibration/joint/step_press.h"
 #include "calibration/presses/press.h"
 
 #include <optional>
@@ -127,19 +127,18 @@ class GivenDepthCost final : public ceres::SizedCostFunction<1, 3> {
   const WeightedPress& weighted_;
 };
 
-/// The step of a punch as the mapping measures it, less its true height, over the standard
-/// deviation. Parameter block: the mapping's numbers. The arguments must outlive the cost.
-class StepCost final : public ceres::CostFunction {
+/// The scale of depth that the mapping has by a known shape, less 1, over the standard deviation;
+/// linear about the curve at construction, because the fit repeats itself with new costs until
+/// nothing changes. Parameter block: the mapping's numbers.
+class ScaleCost final : public ceres::CostFunction {
  public:
-  StepCost(const StepSamples& step, const MappingCurve& curve, MappingAlong along);
+  ScaleCost(const KnownShape& shape, const MappingCurve& curve, MappingAlong along);
   bool Evaluate(double const* const* parameters, double* residuals,
                 double** jacobians) const override;
 
  private:
-  const StepSamples& step_;
-  const MappingCurve& curve_;
-  MappingAlong along_;
-  double sd_mm_ = 0;  ///< of the curve at construction: a weight must not change with the fit
+  ScaleReading reading_;
+  Eigen::VectorXd values_;  ///< of the curve at construction
 };
 
 /// The angle by which a ray passes outside the ball (negative: meets it), and its derivative by the

@@ -38,9 +38,9 @@ bool solve(const std::vector<WeightedPress>& weighted, const JointOptions& optio
     if (weighted[i].given_depth)
       problem.AddResidualBlock(new GivenDepthCost(weighted[i]), nullptr, fit->centres_mm[i].data());
   }
-  if (options.steps != nullptr && !options.fix_mapping)
-    for (const StepSamples& step : *options.steps)
-      problem.AddResidualBlock(new StepCost(step, family, options.along), nullptr,
+  if (options.shapes != nullptr && !options.fix_mapping)
+    for (const KnownShape& shape : *options.shapes)
+      problem.AddResidualBlock(new ScaleCost(shape, family, options.along), nullptr,
                                fit->curve.values().data());
   if (options.fix_mapping)
     problem.SetParameterBlockConstant(fit->curve.values().data());
@@ -115,10 +115,10 @@ double largest_of(std::vector<double> x) {
 
 double domain_of(const ChoiceInput& input, MappingAlong along) {
   double x_max = 0;
-  if (input.steps != nullptr)
-    for (const StepSamples& step : *input.steps) {
+  if (input.shapes != nullptr)
+    for (const KnownShape& shape : *input.shapes) {
       std::vector<double> x;
-      for (const Sample& sample : step.samples.samples) x.push_back(sample.x);
+      for (const Sample& sample : samples_of(shape).samples) x.push_back(sample.x);
       x_max = std::max(x_max, largest_of(std::move(x)));
     }
   for (std::size_t i = 0; i < input.presses.size(); ++i) {

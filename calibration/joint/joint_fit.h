@@ -7,13 +7,12 @@
 // by 2 to 12 % at ordinary noise. The cause is regression dilution: a straight line through points
 // that are uncertain along it comes out too flat. Where part of the ball's outline is seen
 // (outline_methods.h), the angles of its rays to the centre, less asin(R / |c|), join the sum. So
-// do measured depths of presses and heights of the steps of punches.
+// do measured depths of presses and the scale by other bodies of known shape.
 #pragma once
 
 #include "calibration/joint/calibration_settings.h"
 #include "calibration/joint/contact_model.h"
 #include "calibration/joint/mapping_curve.h"
-#include "calibration/joint/step_press.h"
 #include "calibration/presses/press.h"
 #include "core/base/job.h"
 #include "core/base/message.h"
@@ -27,6 +26,7 @@
 namespace alltact {
 
 struct JointFit;
+struct KnownShape;
 
 struct JointOptions {
   MappingAlong along = MappingAlong::kZ;
@@ -35,8 +35,8 @@ struct JointOptions {
   int max_rounds = 60;       ///< of reweighting
   bool fix_mapping = false;  ///< only the balls are free
   bool free_lift = false;    ///< the lift-off length is an unknown, shared by all presses
-  /// Punches whose steps the mapping shall reproduce; may be null.
-  const std::vector<StepSamples>* steps = nullptr;
+  /// Bodies whose shapes the mapping shall reproduce; may be null.
+  const std::vector<KnownShape>* shapes = nullptr;
   /// Called after every round with the change of the unknowns, mm, and the fit; may be empty.
   std::function<void(int round, double change_mm, const JointFit& now)> watch = {};
 };
@@ -83,11 +83,11 @@ struct FitQuality {
 
 // Start of the joint fit: the balls as found, and the mapping that follows from them.
 
-/// Presses and their start: the balls as found, one a press, and the punches.
+/// Presses and their start: the balls as found, one a press, and the other bodies.
 struct ChoiceInput {
   std::vector<const PressSamples*> presses;
   std::vector<Eigen::Vector3d> centres_mm;
-  const std::vector<StepSamples>* steps = nullptr;  ///< see JointOptions
+  const std::vector<KnownShape>* shapes = nullptr;  ///< see JointOptions
   int max_rounds = 60;                              ///< likewise
 };
 
@@ -95,7 +95,7 @@ inline constexpr CurveFamily kMoebiusFamily{MappingKind::kMoebius, 2};
 inline constexpr CurveFamily kLayerFamily{MappingKind::kMoebius, 3};
 
 /// The end of the domain: the largest difference in the inner zones of the contacts and on the
-/// punches' levels. 0: nothing is darker than the reference.
+/// other bodies. 0: nothing is darker than the reference.
 [[nodiscard]] double domain_of(const ChoiceInput& input, MappingAlong along);
 
 /// A straight line through the balls as found, over the domain up to `x_max`.

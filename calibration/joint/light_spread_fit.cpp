@@ -130,40 +130,96 @@ bool is_seen(const Evidence& evidence) {
 }
 
 /// The mapping of the presses' mean angle of sight; those of other angles are converted to it.
-MappingParameters mapping_of(const SpreadModel& model, const FitState& state,
-                             const Eigen::MatrixXd& covariance) {
+/// Without covariances.
+MappingParameters mapping_of(const SpreadModel& model, const FitState& state) {
   MappingParameters mapping;
   mapping.kind = MappingKind::kMoebius;
   mapping.along = MappingAlong::kNormal;
   mapping.spread = model.spread_by(state.shared);
+  double b_factor = 0;
+  for (std::size_t p = 0; p < model.presses().size(); ++p) {
+    const SpreadSample& nearest = model.presses()[p].nearest_to(state.own[p].head<2>());
+    b_factor += oblique_spread(mapping.spread, nearest.cos_sight).b_factor /
+                static_cast<double>(model.presses().size());
+  }
+  mapping.b = (1.0 + mapping.spread.b_straight) * b_factor - 1.0;
+  mapping.a_mm = std::exp(state.shared[kLogRho]) * model.layer_mm() * (1.0 + mapping.b);
+  return mapping;
+}
+
+/// With covariances, from that of the unknowns.
+MappingParameters mapping_of(const SpreadModel& model, const FitState& state,
+                             const Eigen::MatrixXd& covariance) {
+  MappingParameters mapping = mapping_of(model, state);
   mapping.spread.optical_thickness_sd =
       mapping.spread.optical_thickness *
       std::sqrt(std::max(0.0, covariance(kLogOpticalThickness, kLogOpticalThickness)));
-  const auto b_by = [&](const Eigen::VectorXd& shared) {
-    const LightSpread spread = model.spread_by(shared);
-    double b_factor = 0;
-    for (std::size_t p = 0; p < model.presses().size(); ++p) {
-      const SpreadSample& nearest = model.presses()[p].nearest_to(state.own[p].head<2>());
-      b_factor += oblique_spread(spread, nearest.cos_sight).b_factor /
-                  static_cast<double>(model.presses().size());
-    }
-    return (1.0 + spread.b_straight) * b_factor - 1.0;
-  };
-  mapping.b = b_by(state.shared);
-  const double thickness_mm = std::exp(state.shared[kLogRho]) * model.layer_mm();
-  mapping.a_mm = thickness_mm * (1.0 + mapping.b);
   Eigen::MatrixXd by_stored = Eigen::MatrixXd::Zero(2, covariance.rows());
-  by_stored(0, kLogRho) = mapping.a_mm;
-  for (const Shared unknown : {kLogB, kLogOpticalThickness}) {
+  for (const Shared unknown : {kLogRho, kLogB, kLogOpticalThickness}) {
     constexpr double kStep = 1e-4;
-    Eigen::VectorXd moved = state.shared;
-    moved[unknown] += kStep;
-    by_stored(1, unknown) = (b_by(moved) - mapping.b) / kStep;
-    by_stored(0, unknown) = thickness_mm * by_stored(1, unknown);
+    FitState moved = state;
+    moved.shared[unknown] += kStep;
+    const MappingParameters there = mapping_of(model, moved);
+    by_stored(0, unknown) = (there.a_mm - mapping.a_mm) / kStep;
+    by_stored(1, unknown) = (there.b - mapping.b) / kStep;
   }
   const Eigen::MatrixXd stored = by_stored * covariance * by_stored.transpose();
   mapping.covariance = 0.5 * (stored + stored.transpose());
   return mapping;
+}
+
+/// Of all unknowns; not finite where they are not determined.
+Eigen::MatrixXd covariance_of(const Normal& normal) {
+  const Eigen::Index n = normal.hessian.rows();
+  return normal.scale() * normal.hessian.ldlt().solve(Eigen::MatrixXd::Identity(n, n));
+}
+
+/// The scales by all bodies at a state, with their derivatives by differences.
+std::vector<ScaleEvidence> scales_at(const SpreadModel& model, const FitState& state,
+                                     const ReadScales& read_scales) {
+  std::vector<ScaleEvidence> scales;
+  for (const ScaleSeen& seen : read_scales(mapping_of(model, state)))
+    scales.push_back(
+        {seen.scale, seen.sd, state.shared, Eigen::VectorXd::Zero(state.shared.size())});
+  if (scales.empty()) return scales;
+  for (const Shared unknown : {kLogRho, kLogB, kLogBAlong, kLogOpticalThickness, kLogWidth}) {
+    constexpr double kStep = 0.01;
+    FitState moved = state;
+    moved.shared[unknown] += kStep;
+    const std::vector<ScaleSeen> there = read_scales(mapping_of(model, moved));
+    for (std::size_t i = 0; i < scales.size(); ++i)
+      scales[i].by_shared[unknown] = (there[i].scale - scales[i].scale) / kStep;
+  }
+  return scales;
+}
+
+/// Repeats a fit with the bodies that agree with the balls. Returns the scales by the balls alone.
+std::vector<ScaleByBalls> use_scales(const ReadScales& read_scales, const Job& job,
+                                     SpreadModel* model, FittedHypothesis* fitted) {
+  constexpr int kRounds = 3, kSteps = 25;
+  constexpr double kFar = 4.0;
+  const Eigen::MatrixXd covariance = covariance_of(fitted->normal);
+  std::vector<ScaleByBalls> by_balls;
+  for (int round = 0; round < kRounds && !job.stop_requested(); ++round) {
+    std::vector<ScaleEvidence> all = scales_at(*model, fitted->state, read_scales), used;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (round == 0) {
+        const Eigen::VectorXd& by = all[i].by_shared;
+        const double variance = by.dot(covariance.topLeftCorner(by.size(), by.size()) * by);
+        const double sd = std::sqrt(all[i].sd * all[i].sd + std::max(0.0, variance));
+        by_balls.push_back({all[i].scale, sd, std::abs(all[i].scale - 1) <= kFar * sd});
+      }
+      if (by_balls[i].agrees) used.push_back(std::move(all[i]));
+    }
+    if (used.empty()) break;
+    model->set_scales(std::move(used));
+    const SpreadSolver solver(*model, fitted->hypothesis);
+    const auto state = solver.solve(fitted->state, kSteps, job);
+    if (!state) break;
+    fitted->state = *state;
+    fitted->normal = solver.evaluate(*state);
+  }
+  return by_balls;
 }
 
 /// False where a ball lies off its face.
@@ -209,7 +265,8 @@ std::vector<double> held_out_mm(const SpreadModel& model, const FittedHypothesis
 }  // namespace
 
 std::optional<LightSpreadFit> fit_light_spread(const std::vector<BallStart>& balls,
-                                               const Face& face, const Job& job) {
+                                               const Face& face, const ReadScales& read_scales,
+                                               const Job& job) {
   if (balls.size() < kMinPresses) return std::nullopt;
   std::vector<SpreadPress> presses;
   for (const BallStart& ball : balls) {
@@ -217,17 +274,17 @@ std::optional<LightSpreadFit> fit_light_spread(const std::vector<BallStart>& bal
     if (!press) return std::nullopt;
     presses.push_back(std::move(*press));
   }
-  const SpreadModel model(std::move(presses), face.layer_mm);
-  const auto spread = best_spread(model, job);
+  SpreadModel model(std::move(presses), face.layer_mm);
+  auto spread = best_spread(model, job);
   if (!spread) return std::nullopt;
   const Evidence evidence = evidence_of(model, *spread, job);
   if (job.stop_requested()) return std::nullopt;
   LightSpreadFit fit;
   fit.log_evidence = evidence.log_ratio;
   if (!is_seen(evidence)) return fit;
-  const Eigen::Index n = spread->normal.hessian.rows();
-  const Eigen::MatrixXd covariance =
-      spread->normal.scale() * spread->normal.hessian.ldlt().solve(Eigen::MatrixXd::Identity(n, n));
+  if (!covariance_of(spread->normal).allFinite()) return fit;
+  if (read_scales) fit.scales = use_scales(read_scales, job, &model, &*spread);
+  const Eigen::MatrixXd covariance = covariance_of(spread->normal);
   if (!covariance.allFinite()) return fit;
   fit.mapping = mapping_of(model, spread->state, covariance);
   if (!add_balls(balls, model, spread->state, covariance, &fit)) return fit;

@@ -20,6 +20,7 @@
 #include "core/finger/finger.h"
 #include "core/finger/mapping.h"
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -32,6 +33,20 @@ struct BallStart {
   Eigen::Vector3d centre_mm;
 };
 
+/// Scale of depth that a mapping has by a body of known shape: depth read / true depth.
+struct ScaleSeen {
+  double scale = 1;
+  double sd = 0;  ///< of the scale, by the body's press alone
+};
+/// The scales by all bodies for a mapping without x_max, in the same order at every call.
+using ReadScales = std::function<std::vector<ScaleSeen>(const MappingParameters&)>;
+
+/// The same by balls alone; `sd` of both.
+struct ScaleByBalls {
+  double scale = 1, sd = 0;
+  bool agrees = true;  ///< within four standard deviations; others are not used
+};
+
 /// Only `is_seen` and `log_evidence` are set where it is not seen.
 struct LightSpreadFit {
   MappingParameters mapping;                ///< without x_max
@@ -40,14 +55,19 @@ struct LightSpreadFit {
   double lift_mm = 0;
   /// How much each ball's depth changes when the other presses alone give the mapping.
   std::vector<double> held_out_mm;
+  std::vector<ScaleByBalls> scales;  ///< in the order of ReadScales
   /// log of the probability over that of the best local light
   double log_evidence = 0;
   bool is_seen = false;  ///< significant, in most presses
 };
 
 /// nullopt: fewer than three presses, or no fit. Two to four seconds of single fits at most.
+/// `read_scales` is called only where the spread is seen; may be empty. Bodies decide nothing about
+/// that.
 [[nodiscard]] std::optional<LightSpreadFit> fit_light_spread(const std::vector<BallStart>& balls,
-                                                             const Face& face, const Job& job);
+                                                             const Face& face,
+                                                             const ReadScales& read_scales,
+                                                             const Job& job);
 
 /// The press as a layer with local light would show it.
 [[nodiscard]] Press without_light_spread(const Press& press, const MappingParameters& mapping);

@@ -220,7 +220,7 @@ std::vector<double> held_out_along(const ChoiceInput& input, CurveFamily family,
   options.along = along;
   options.zone = kZone;
   options.settled_mm = kSettledMm;
-  options.steps = input.steps;
+  options.shapes = input.shapes;
   options.max_rounds = input.max_rounds;
   const double x_max = domain_of(input, along);
   if (!(x_max > 0.0)) return {};
@@ -415,7 +415,7 @@ std::optional<ModelChoice> choose_family(const ChoiceInput& input,
   if (!(choice.fit.curve.x_max() > 0.0)) return std::nullopt;
   choice.options.zone = kInnerZone;
   choice.options.settled_mm = kSettledMm;
-  choice.options.steps = input.steps;
+  choice.options.shapes = input.shapes;
   choice.options.max_rounds = input.max_rounds;
   JointFit start = fit_jointly(input.presses, choice.fit, choice.options, job);
   Message zone_remark;

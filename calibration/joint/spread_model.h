@@ -10,6 +10,7 @@
 #include "core/finger/mapping.h"
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -81,6 +82,12 @@ struct FitState {
   std::vector<OwnUnknowns> own;  // by press
 };
 
+/// The scale of depth by a body of known shape, linear in what all presses share.
+struct ScaleEvidence {
+  double scale = 1, sd = 0;  ///< at `shared`
+  Eigen::VectorXd shared, by_shared;
+};
+
 struct UnknownPrior {
   double mean, sd;
 };
@@ -104,6 +111,9 @@ class SpreadModel {
   }
   [[nodiscard]] const std::vector<SpreadPress>& presses() const { return presses_; }
   [[nodiscard]] double layer_mm() const { return layer_mm_; }
+  /// Bodies that the mapping shall reproduce.
+  [[nodiscard]] const std::vector<ScaleEvidence>& scales() const { return scales_; }
+  void set_scales(std::vector<ScaleEvidence> scales) { scales_ = std::move(scales); }
   [[nodiscard]] LightSpread spread_by(const Eigen::VectorXd& shared) const;
   /// From the positions found by brightness, and the priors' means.
   [[nodiscard]] FitState start() const;
@@ -114,6 +124,7 @@ class SpreadModel {
 
  private:
   std::vector<SpreadPress> presses_;
+  std::vector<ScaleEvidence> scales_;
   double layer_mm_, middle_mm_ = 0, half_mm_ = 1;
 };
 

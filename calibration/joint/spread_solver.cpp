@@ -53,6 +53,7 @@ Normal SpreadSolver::evaluate(const FitState& state) const {
     add_light_prior(state, p, &normal);
     if (model_.presses()[p].given_depth) add_given_depth(state, p, &normal);
   }
+  add_scales(state.shared, &normal);
   add_priors(state.shared, &normal);
   return normal;
 }
@@ -104,6 +105,17 @@ void SpreadSolver::add_given_depth(const FitState& state, std::size_t p, Normal*
   normal->cost += soft_loss(z);
   normal->hessian(i, i) += robust_weight(z) * row * row;
   normal->gradient[i] += robust_weight(z) * row * z;
+}
+
+void SpreadSolver::add_scales(const Eigen::VectorXd& shared, Normal* normal) const {
+  if (shared_ == 0) return;
+  for (const ScaleEvidence& seen : model_.scales()) {
+    const Eigen::VectorXd row = seen.by_shared.head(shared_) / seen.sd;
+    const double z = (seen.scale - 1) / seen.sd + row.dot((shared - seen.shared).head(shared_));
+    normal->cost += soft_loss(z);
+    normal->hessian.topLeftCorner(shared_, shared_) += robust_weight(z) * row * row.transpose();
+    normal->gradient.head(shared_) += robust_weight(z) * z * row;
+  }
 }
 
 void SpreadSolver::add_light_prior(const FitState& state, std::size_t p, Normal* normal) const {

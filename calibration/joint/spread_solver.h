@@ -43,6 +43,7 @@ class SpreadSolver {
   }
   void add_press(const FitState& state, std::size_t press, Normal* normal) const;
   void add_given_depth(const FitState& state, std::size_t press, Normal* normal) const;
+  void add_scales(const Eigen::VectorXd& shared, Normal* normal) const;
   void add_light_prior(const FitState& state, std::size_t press, Normal* normal) const;
   void add_priors(const Eigen::VectorXd& shared, Normal* normal) const;
   [[nodiscard]] FitState moved(const FitState& state, const Eigen::VectorXd& by) const;

@@ -522,13 +522,13 @@ Eigen::MatrixXd spread_of(const std::vector<const PressSamples*>& presses, const
     spread.block<3, 3>(corner, corner) += outline_pull * outline_pull.transpose();
     add_known(press.depth_row, corner, &hessian, &spread);
   }
-  if (options.steps != nullptr)
-    for (const StepSamples& step : *options.steps) {
+  if (options.shapes != nullptr)
+    for (const KnownShape& shape : *options.shapes) {
       Eigen::VectorXd row(n_map);
       double residual = 0;
       const double* at[] = {fit.curve.values().data()};
       double* by_values[] = {row.data()};
-      (void)StepCost(step, fit.curve, options.along).Evaluate(at, &residual, by_values);
+      (void)ScaleCost(shape, fit.curve, options.along).Evaluate(at, &residual, by_values);
       add_known(row, 0, &hessian, &spread);
     }
   spread += ring_pull * ring_pull.transpose() + lift_pull * lift_pull.transpose();

@@ -127,6 +127,13 @@ Eigen::Vector3d by_pixel(const FaceShape& shape, const Face& face, const Eigen::
                 untouched_point_mm(*before, face.layer_mm, MappingAlong::kNormal));
 }
 
+void set_derivatives(const Press& press, const Face& face, PressSamples* samples) {
+  for (Sample& sample : samples->samples) {
+    sample.by_u = by_pixel(press.shape, face, sample.pixel, {1, 0});
+    sample.by_v = by_pixel(press.shape, face, sample.pixel, {0, 1});
+  }
+}
+
 PressSamples sample_in(const Press& press, const Face& face, const cv::Rect& box, int block_px) {
   PressSamples result;
   result.ball_radius_mm = press.ball_radius_mm;
@@ -184,7 +191,9 @@ void set_unit_positions(const PressedArea& part, PressSamples* press) {
 }
 
 PressSamples sample_press(const Press& press, const Face& face, int block_px) {
-  return sample_in(press, face, {{0, 0}, press.difference.x.size()}, block_px);
+  PressSamples samples = sample_in(press, face, {{0, 0}, press.difference.x.size()}, block_px);
+  set_derivatives(press, face, &samples);
+  return samples;
 }
 
 const Sample* nearest_sample(const PressSamples& press, const Eigen::Vector3d& point_mm) {
@@ -200,7 +209,7 @@ PressSamples sample_around(const Press& press, const Face& face, const Eigen::Ve
   // The approximate extent from a coarse sample, then blocks as fine as the limit allows.
   constexpr int kRough = 8;
   constexpr int kFinest = 2;
-  PressSamples rough = sample_press(press, face, kRough);
+  PressSamples rough = sample_in(press, face, {{0, 0}, press.difference.x.size()}, kRough);
   retain_near(middle, radius_mm + 0.01 * middle.norm(), &rough);
   if (rough.samples.empty()) return rough;
   Eigen::Vector2d low = rough.samples.front().pixel;
@@ -218,11 +227,19 @@ PressSamples sample_around(const Press& press, const Face& face, const Eigen::Ve
   const int block = std::max(kFinest, static_cast<int>(std::ceil(std::sqrt(pixels / limit))));
   PressSamples near = sample_in(press, face, box, block);
   retain_near(middle, radius_mm, &near);
-  for (Sample& sample : near.samples) {
-    sample.by_u = by_pixel(press.shape, face, sample.pixel, {1, 0});
-    sample.by_v = by_pixel(press.shape, face, sample.pixel, {0, 1});
-  }
+  set_derivatives(press, face, &near);
   return near;
+}
+
+void update_brightness(const cv::Mat& x, PressSamples* samples) {
+  const int block = samples->block_px;
+  for (Sample& sample : samples->samples) {
+    const cv::Rect part(static_cast<int>(std::lround(sample.pixel.x() + 0.5 - 0.5 * block)),
+                        static_cast<int>(std::lround(sample.pixel.y() + 0.5 - 0.5 * block)), block,
+                        block);
+    const double mean = static_cast<double>(block_means(x(part), block).at<float>(0, 0));
+    if (std::isfinite(mean)) sample.x = mean;
+  }
 }
 
 namespace {

@@ -9,6 +9,7 @@
 #include "core/sensing/face/face_shape.h"
 
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,6 +18,14 @@
 #include <opencv2/core.hpp>
 
 namespace alltact {
+
+class MeshDistance;
+
+/// A body that is not a ball, its shape known as a mesh.
+struct KnownBody {
+  std::string file;                           ///< its name, without folders
+  std::shared_ptr<const MeshDistance> shape;  ///< in mm, in a frame of its own
+};
 
 /// Input of the calibration from one press: the brightness difference on the face, and the face.
 struct Press {
@@ -27,8 +36,11 @@ struct Press {
   /// The ball's centre as a person set it, camera frame; empty: find_ball() searches it.
   std::optional<Eigen::Vector3d> ball_mm = std::nullopt;
   std::optional<GivenDepth> given_depth = std::nullopt;
-  /// Height of the step of a flat punch, mm; empty: a ball presses.
+  /// Height of the step of a flat punch, mm.
   std::optional<double> step_mm = std::nullopt;
+  std::optional<KnownBody> body = std::nullopt;
+  /// Neither a punch nor another body presses.
+  [[nodiscard]] bool is_ball() const { return !step_mm && !body; }
 };
 
 /// A ball found in a press before the mapping is known.
@@ -81,7 +93,7 @@ struct Sample {
   Eigen::Vector3d untouched_z;  ///< outer side of the layer along z, mm
   Eigen::Vector3d untouched_n;  ///< the same along the normal, mm
   Eigen::Vector3d normal;       ///< outward, away from the camera
-  /// Derivative of untouched_n by the pixel, mm; set by sample_around() only.
+  /// Derivative of untouched_n by the pixel, mm.
   Eigen::Vector3d by_u = Eigen::Vector3d::Zero(), by_v = Eigen::Vector3d::Zero();
   double cos_incline = 1;
   double x = 0;
@@ -126,6 +138,9 @@ void set_unit_positions(const PressedArea& part, PressSamples* press);
 [[nodiscard]] PressSamples sample_around(const Press& press, const Face& face,
                                          const Eigen::Vector3d& middle, double radius_mm,
                                          int limit);
+
+/// Replaces the brightness of samples by that in another difference of the same press.
+void update_brightness(const cv::Mat& x, PressSamples* samples);
 
 // Which pixels of an image of measurements have a value.
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -54,6 +55,12 @@ bool read_step(const std::string& value, PressNote& note) {
   return note.step_mm.has_value();
 }
 
+bool read_body(const std::string& value, PressNote& note) {
+  if (value.empty()) return false;
+  note.body = std::filesystem::absolute(value).string();
+  return true;
+}
+
 bool read_ball(const std::string& value, PressNote& note) {
   std::string_view text = value;
   // With semicolons between them, the numbers may have decimal commas.
@@ -94,6 +101,11 @@ const std::vector<PressNoteKind>& press_note_kinds() {
        "A press made with a flat punch that has a step of this height, not with a ball", "none",
        read_step, [](const PressNote& note) { return number_text(note.step_mm); },
        [](PressNote& note) { note.step_mm.reset(); }},
+      {"body", "NAME=FILE",
+       "A press made with another body of known shape, not with a ball: its closed mesh, STL or "
+       "OBJ in mm, which is copied into the finger's folder",
+       "none", read_body, [](const PressNote& note) { return note.body; },
+       [](PressNote& note) { note.body.reset(); }},
       {"ball", "NAME=X,Y,Z",
        "A press' ball put by hand where the fit is to begin, in mm before the camera", "find",
        read_ball, write_ball, [](PressNote& note) { note.ball_mm.reset(); }},

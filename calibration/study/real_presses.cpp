@@ -98,7 +98,7 @@ Result<RealPresses> RealPresses::open(const FingerPtr& finger, const Job& job) {
   RealPresses real(finger, std::move(inputs).value(), std::move(library).value());
   for (const StoredPress& press : real.inputs_.presses) {
     const PressNote& note = real.inputs_.press_set.of(press.name);
-    if (note.excluded || note.step_mm) continue;
+    if (note.excluded || !note.is_ball()) continue;
     auto frame = read_stored_press(finger->folder, press.name);
     if (!frame) return frame.error();
     real.frames_.push_back(std::move(frame).value());

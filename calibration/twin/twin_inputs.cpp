@@ -139,7 +139,7 @@ Result<TwinPress> press_from(const Measuring& measuring, const std::string& name
   if (!seen.problem.empty()) return Error{seen.problem, "", ""};
   const PressNote& note = press_set.of(name);
   if (note.excluded) return Error{en::say("excluded"), "", ""};
-  if (note.step_mm) return Error{en::say("a punch with a step is not a ball"), "", ""};
+  if (!note.is_ball()) return Error{en::say("it was not made with a ball"), "", ""};
   const Press press{name,
                     std::move(*seen.difference),
                     *seen.shape,

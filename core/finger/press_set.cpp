@@ -90,6 +90,8 @@ void describe_single_presses(Fields& fields, PressSet& presses) {
                  });
   describe_pairs(fields, notes, "steps", "steps_mm", &PressNote::step_mm,
                  [&](Key key, auto& steps_mm) { fields.numbers(key, steps_mm, kLengthMm); });
+  describe_pairs(fields, notes, "bodies", "body_files", &PressNote::body,
+                 [&](Key key, auto& files) { fields.texts(key, files); });
   describe_pairs(fields, notes, "balls", "balls_mm", &PressNote::ball_mm,
                  [&](Key key, auto& centres) {
                    const Message what = en::say("is not a ball centre in front of the camera"),

@@ -10,6 +10,8 @@
 //   depths_mm: [[1.2, 0.01]]          # normal to the face, with its standard deviation
 //   steps: [press_7]                  # presses made with a flat punch that has a step,
 //   steps_mm: [0.5]                   # and its height
+//   bodies: [press_8]                 # presses made with another body of known shape,
+//   body_files: [bodies/rod.stl]      # and its mesh in mm, from this folder
 //   balls: [press_4]                  # presses whose ball was positioned by hand, and where, mm
 //   balls_mm: [[1.5, -2.0, 48.0]]
 //   excluded: [press_3]               # by name, and the reason
@@ -44,8 +46,10 @@ struct PressNote {
   std::optional<double> ball_radius_mm;    ///< of a ball of another size than all others'
   std::optional<GivenDepth> depth;         ///< measured by a stage or a feeler gauge
   std::optional<double> step_mm;           ///< of a flat punch with a step this high, not a ball
+  std::optional<std::string> body;         ///< the mesh of another body: STL or OBJ, in mm
   std::optional<Eigen::Vector3d> ball_mm;  ///< the ball's centre positioned by hand, camera frame
   std::optional<std::string> excluded;     ///< the press is unused, and why; empty: no reason given
+  [[nodiscard]] bool is_ball() const { return !step_mm && !body; }
   bool operator==(const PressNote&) const = default;
 };
 

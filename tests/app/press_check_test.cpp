@@ -1,6 +1,8 @@
 // A calibrated finger held against new presses: what changed is told, what did not is not.
+#include "core/base/atomic_file.h"
 #include "core/image/image_file.h"
 #include "tests/support/flat_finger.h"
+#include "tests/support/made_meshes.h"
 
 #include <cmath>
 
@@ -91,6 +93,76 @@ TEST_F(PressCheck, ReadsThePunchOfAKnownStep) {
   EXPECT_THAT(check({file}, {"--step", "other=0.3"}).errors,
               HasSubstr("no press is named 'other'"));
   EXPECT_EQ(check({file}, {"--step", "punch"}).status, 2);
+}
+
+/// A rod of radius 3 mm and length 10 mm, turned by 25 degrees in the face.
+cv::Mat_<float> rod_depth_mm(double depth_mm) {
+  cv::Mat_<float> depth(FlatSensor::kHeight, FlatSensor::kWidth, 0.0F);
+  const double turn = 25 * M_PI / 180;
+  for (int v = 0; v < depth.rows; ++v)
+    for (int u = 0; u < depth.cols; ++u) {
+      const double x = FlatSensor::kMmPerPx * (u - 160), y = FlatSensor::kMmPerPx * (v - 120);
+      const double along = std::cos(turn) * x + std::sin(turn) * y,
+                   across = -std::sin(turn) * x + std::cos(turn) * y;
+      if (std::abs(across) >= 3) continue;
+      const double outside = std::max(0.0, std::abs(along) - 5.0);
+      const double sunk = depth_mm - 3 + std::sqrt(9 - across * across);
+      depth(v, u) = static_cast<float>(std::max(0.0, sunk) * std::exp(-outside / 0.15));
+    }
+  return depth;
+}
+
+TEST_F(PressCheck, ReadsABodyOfKnownShape) {
+  const std::string image = flat_.file("rod.png"), mesh = flat_.file("rod.stl");
+  ASSERT_TRUE(write_image(image, pressed_picture(rod_depth_mm(0.6), 78)).ok());
+  write_stl(mesh, rod(3, 5));
+  const ProgramRun first = check({image}, {"--body", "rod=" + mesh, "--json"});
+  ASSERT_EQ(first.errors, "");
+  const json right = json::parse(first.output);
+  EXPECT_EQ(right.at("verdict"), "too_few") << "one press\n" << right.dump(1);
+  EXPECT_NEAR(right.at("factor").get<double>(), 1, 0.02);
+  EXPECT_LT(right.at("error_mm").get<double>(), 0.012);
+  EXPECT_NEAR(right.at("presses").at(0).at("depth_mm").get<double>(), 0.6, 0.02);
+  // Another radius is another scale of depth.
+  write_stl(mesh, rod(3.6, 5));
+  const ProgramRun checked = check({image}, {"--body", "rod=" + mesh, "--json"});
+  ASSERT_FALSE(checked.output.empty()) << checked.errors << checked.status;
+  const json wrong = json::parse(checked.output);
+  EXPECT_NEAR(wrong.at("factor").get<double>(), 3 / 3.6, 0.03);
+  EXPECT_GT(wrong.at("error_mm").get<double>(), 0.06);
+  TriangleMesh metres = rod(3, 5);
+  for (Eigen::Vector3d& point : metres.points) point /= 1000;
+  write_stl(mesh, metres);
+  EXPECT_THAT(check({image}, {"--body", "rod=" + mesh}).errors,
+              HasSubstr("rod.stl: in millimetres, this body would be 0.01 mm long"));
+}
+
+TEST_F(PressCheck, ABodyIsCopiedIntoTheFingerThatItCalibrates) {
+  const std::string image = flat_.file("rod.png"), mesh = flat_.file("rod.stl");
+  ASSERT_TRUE(write_image(image, pressed_picture(rod_depth_mm(0.6), 78)).ok());
+  write_stl(mesh, rod(3, 5));
+  std::vector<std::string> inputs{image, "--body", "rod=" + mesh};
+  for (const auto& press : flat_.presses) inputs.push_back(press.string());
+  const ProgramRun made = flat_.calibrate(inputs);
+  ASSERT_EQ(made.status, 0) << made.errors;
+  EXPECT_THAT(made.output, HasSubstr("rod: depths on rod.stl read "));
+  const fs::path finger = flat_.finger();
+  const auto report = [&] { return json::parse(*read_file(finger / "calibration_report.json")); };
+  const json body = report().at("bodies").at(0);
+  EXPECT_EQ(body.at("body"), "rod.stl");
+  EXPECT_NEAR(body.at("scale").get<double>(), 1, 0.02);
+  EXPECT_GT(body.at("sd").get<double>(), 0.0005);
+  fs::remove(mesh);
+  const ProgramRun again = run_alltact({"calibrate", finger.string(), "--again"});
+  EXPECT_EQ(again.status, 0) << again.errors;
+  EXPECT_EQ(report().at("bodies").at(0), body);
+  // Another mesh of that name is another body.
+  const std::string first = *read_file(finger / "bodies/rod.stl");
+  write_stl(mesh, rod(3.01, 5));
+  EXPECT_EQ(run_alltact({"calibrate", finger.string(), "--again", "--body", "rod=" + mesh}).status,
+            0);
+  EXPECT_EQ(*read_file(finger / "bodies/rod.stl"), first);
+  EXPECT_EQ(report().at("bodies").at(0).at("body"), "rod-2.stl");
 }
 
 TEST_F(PressCheck, AnUnchangedFingerPasses) {

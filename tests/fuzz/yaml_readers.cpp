@@ -83,6 +83,7 @@ CalibrationInputs some_inputs() {
   inputs.press_set.notes["press_0"].depth = GivenDepth{0.5, 0.02};
   inputs.press_set.notes["press_0"].ball_mm = {1.5, -2.25, 48.0625};
   inputs.press_set.notes["12"].step_mm = 0.5;
+  inputs.press_set.notes["12"].body = "bodies/rod.stl";
   inputs.press_set.notes["12"].excluded = "glove in view";
   return inputs;
 }
@@ -105,6 +106,7 @@ FingerCalibration some_calibration() {
   calibration.remarks = {en::say("no press is named '{}'", std::string("a\"b"))};
   calibration.next_press = PressAdvice{false, 8.5, -1.25, 0.5, 0.01, 0.008, en::say("done")};
   calibration.steps = {{"step", 0.5, 0.49, 0.01}};
+  calibration.bodies = {{"rod", "rod.stl", 1.01, 0.008}};
   BallFit ball;
   ball.press = "press_0";
   ball.radius_mm = 3.975;

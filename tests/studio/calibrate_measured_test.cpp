@@ -170,6 +170,33 @@ TEST_F(CalibrateMeasured, DepthAndStepAreSaidUndoneAndKept) {
   EXPECT_EQ(field(kStep)->value(), 0.5);
 }
 
+TEST_F(CalibrateMeasured, ABodyIsSaidUndoneAndKept) {
+  open();
+  show(6);
+  unfold();
+  auto* body = rig_.studio().find<QPushButton>("Mesh of another body");
+  ASSERT_NE(body, nullptr);
+  EXPECT_EQ(body->text(), "none");
+  rig_.collection().set_body_of("press_07", "/some/folder/rod.stl");
+  EXPECT_EQ(body->text(), "rod.stl");
+  EXPECT_FALSE(field(kStep)->isEnabled());
+  EXPECT_FALSE(field(kDepth)->isEnabled());
+  ASSERT_TRUE(rig_.wait_until_looked_at(kPresses));
+  EXPECT_EQ(state_of("press_07"), "the body rod.stl");
+  EXPECT_EQ(rig_.collection().usable_count(), kPresses);
+  EXPECT_EQ(undo().undoText(), "change the body of press_07");
+  undo().undo();
+  EXPECT_EQ(body->text(), "none");
+  undo().redo();
+  rig_.collection().disk()->wait();
+  rig_.close();
+  open();
+  EXPECT_EQ(rig_.collection().press_set().of("press_07").body, "/some/folder/rod.stl");
+  rig_.run().start();
+  ASSERT_TRUE(wait_until([&] { return rig_.run().problem().has_value(); }, 60000));
+  EXPECT_THAT(rig_.run().problem()->sentence(), HasSubstr("/some/folder/rod.stl"));
+}
+
 TEST_F(CalibrateMeasured, PunchesAloneAreNotEnough) {
   open();
   for (const CollectedPress& press : std::vector<CollectedPress>(rig_.collection().presses()))

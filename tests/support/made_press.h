@@ -242,22 +242,58 @@ cv::Mat difference_of(const MadeScene& scene, const Layer& layer, const DepthOf&
   return x;
 }
 
-inline Press make_punch_press(const MadeScene& scene, const Layer& layer, const Punch& punch,
-                              double noise, std::mt19937& random, const std::string& name) {
+/// A press of a body over the middle at pixel (u, v): `depth_over` gives the depth along the normal
+/// at a position from there, mm.
+template <class DepthOver>
+Press make_body_press(const MadeScene& scene, const Layer& layer, double u, double v,
+                      const DepthOver& depth_over, double noise, std::mt19937& random,
+                      const std::string& name) {
   const Eigen::Vector3d n = scene.normal;
-  const Eigen::Vector3d foot =
-      scene.shape.at(punch.u, punch.v).value().view_point_mm + scene.face.layer_mm * n;
+  const Eigen::Vector3d foot = scene.shape.at(u, v).value().view_point_mm + scene.face.layer_mm * n;
   const Eigen::Vector3d first = Eigen::Vector3d::UnitY().cross(n).normalized(),
                         second = n.cross(first);
   const cv::Mat x = difference_of(scene, layer, [&](const Eigen::Vector3d& point) {
-    return depth_over(punch, {first.dot(point - foot), second.dot(point - foot)});
+    return depth_over(Eigen::Vector2d(first.dot(point - foot), second.dot(point - foot)));
   });
   std::normal_distribution<double> normal;
   cv::Mat grain(x.size(), CV_32FC1);
   for (float& value : cv::Mat_<float>(grain)) value = static_cast<float>(normal(random));
-  Press press{name, noisy_difference(x, grain, noise), scene.shape};
+  return Press{name, noisy_difference(x, grain, noise), scene.shape};
+}
+
+inline Press make_punch_press(const MadeScene& scene, const Layer& layer, const Punch& punch,
+                              double noise, std::mt19937& random, const std::string& name) {
+  Press press = make_body_press(
+      scene, layer, punch.u, punch.v,
+      [&](const Eigen::Vector2d& at) { return depth_over(punch, at); }, noise, random, name);
   press.step_mm = punch.step_mm;
   return press;
+}
+
+/// A rod that lies on the face, its axis at `turn` in it.
+struct Rod {
+  double u, v;  ///< pixel whose point of the face lies below its middle
+  double radius_mm = 3.0;
+  double depth_mm = 0.8;  ///< below its middle, along the normal
+  double turn = 0.3, tilt = 0.01;
+  double half_length_mm = 8.0;
+  double back_mm = 0.25;  ///< over which the skin comes back from its ends
+};
+
+inline double depth_over(const Rod& rod, const Eigen::Vector2d& at) {
+  const double along = std::cos(rod.turn) * at.x() + std::sin(rod.turn) * at.y();
+  const double across = -std::sin(rod.turn) * at.x() + std::cos(rod.turn) * at.y();
+  if (std::abs(across) >= rod.radius_mm) return 0.0;
+  const double sunk = std::sqrt(rod.radius_mm * rod.radius_mm - across * across) - rod.radius_mm;
+  const double outside = std::max(0.0, std::abs(along) - rod.half_length_mm);
+  return std::max(0.0, rod.depth_mm + rod.tilt * along + sunk) * std::exp(-outside / rod.back_mm);
+}
+
+inline Press make_rod_press(const MadeScene& scene, const Layer& layer, const Rod& rod,
+                            double noise, std::mt19937& random, const std::string& name) {
+  return make_body_press(
+      scene, layer, rod.u, rod.v, [&](const Eigen::Vector2d& at) { return depth_over(rod, at); },
+      noise, random, name);
 }
 
 /// noise: see noisy_difference.

@@ -336,11 +336,12 @@ void PressForecast::begin() {
   if (work_.is_running() || !is_needed() || collection_.is_analysing()) return;
   requested_ = present();
   work_.start([this, requested = requested_, inputs = run_.next_inputs(),
-               finger = collection_.analyser()->finger()](const Job& job) {
+               finger = collection_.analyser()->finger(),
+               folder = collection_.folder()](const Job& job) {
     std::vector<MeasuredPress> presses;
     for (const auto& press : requested.measured) presses.push_back(*press);
     auto made = std::make_shared<Result<FingerCalibration>>(
-        forecast_calibration(finger, std::move(presses), inputs, job));
+        forecast_calibration(finger, folder, std::move(presses), inputs, job));
     return std::function<void()>([this, requested, made, is_stopped = job.stop_requested()] {
       if (requested != requested_) return;
       if (is_stopped) return void(requested_ = {});

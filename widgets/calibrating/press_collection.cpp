@@ -37,7 +37,7 @@ bool before(const CollectedPress& a, const CollectedPress& b) { return a.name < 
 
 /// Radius of the ball to search for; 0: unknown, or no ball.
 double sought_radius_mm(const PressSet& press_set, const std::string& press) {
-  return press_set.of(press).step_mm ? 0.0 : press_set.radius_of(press);
+  return press_set.of(press).is_ball() ? press_set.radius_of(press) : 0.0;
 }
 
 /// Content of the folder, read on a background thread and shown at once.
@@ -194,7 +194,7 @@ const CollectedPress* PressCollection::find(const std::string& name) const {
 
 bool PressCollection::has_ball(const CollectedPress& press) const {
   const PressNote& note = press_set_.of(press.name);
-  return !note.step_mm && (press.analysis.found_mm || note.ball_mm);
+  return note.is_ball() && (press.analysis.found_mm || note.ball_mm);
 }
 
 bool PressCollection::is_saved(const std::string& name) const {
@@ -218,7 +218,7 @@ bool PressCollection::is_usable(const CollectedPress& press) const {
   const PressNote& note = press_set_.of(press.name);
   if (note.excluded) return false;
   const bool has_face = !press.is_analysed || !press.analysis.problem;
-  return has_ball(press) || (note.step_mm && has_face);
+  return has_ball(press) || (!note.is_ball() && has_face);
 }
 
 int PressCollection::usable_count() const {
@@ -461,6 +461,13 @@ void PressCollection::set_step_of(const std::string& name, double step_mm) {
   change_note(
       [name] { return tr("change the step of %1").arg(as_text(name)); }, name,
       [&](PressNote& note) { note.step_mm = step_mm > 0 ? std::optional(step_mm) : std::nullopt; });
+}
+
+void PressCollection::set_body_of(const std::string& name, const fs::path& mesh) {
+  change_note([name] { return tr("change the body of %1").arg(as_text(name)); }, name,
+              [&](PressNote& note) {
+                note.body = mesh.empty() ? std::nullopt : std::optional(mesh.string());
+              });
 }
 
 void PressCollection::set_operator(const std::string& name) {

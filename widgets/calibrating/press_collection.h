@@ -86,11 +86,11 @@ class PressCollection : public QObject {
   [[nodiscard]] const PressSet& press_set() const { return press_set_; }
   /// nullptr where there is none.
   [[nodiscard]] const CollectedPress* find(const std::string& name) const;
-  /// A ball was found or set by hand; a punch has none.
+  /// A ball was found or set by hand; a punch or another body has none.
   [[nodiscard]] bool has_ball(const CollectedPress& press) const;
   /// Its image was written to the disk, or is being written.
   [[nodiscard]] bool is_saved(const std::string& name) const;
-  /// Not left out, and made with a ball or a punch.
+  /// Not left out, and made with a ball, a punch or another body.
   [[nodiscard]] bool is_usable(const CollectedPress& press) const;
   [[nodiscard]] int usable_count() const;
   [[nodiscard]] bool is_analysing() const { return analysing_.is_running(); }
@@ -103,6 +103,8 @@ class PressCollection : public QObject {
   void set_depth_of(const std::string& name, const GivenDepth& depth);
   /// Step height of a punch used instead of a ball; 0: a ball. Notes about the ball are retained.
   void set_step_of(const std::string& name, double step_mm);
+  /// Mesh of another body used instead of a ball, likewise; empty: a ball.
+  void set_body_of(const std::string& name, const std::filesystem::path& mesh);
   void set_operator(const std::string& name);
   /// `grip`: see OutlineEditor::ball_moved.
   void set_ball(const std::string& name, const Eigen::Vector3d& centre_mm, int grip);

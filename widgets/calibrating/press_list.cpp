@@ -16,6 +16,7 @@
 #include <QPixmap>
 #include <QSignalBlocker>
 #include <algorithm>
+#include <filesystem>
 
 namespace alltact {
 namespace {
@@ -26,6 +27,15 @@ QString punch_state_text(double step_mm, const CollectedPress& press, const Step
         .arg(local_mm(fit->step_mm, 3), local_mm(fit->estimated_mm, 3));
   if (press.is_analysed && press.analysis.problem) return refusal_word(*press.analysis.problem);
   return PressModel::tr("a punch with a step of %1 mm").arg(local_mm(step_mm, 3));
+}
+
+QString body_state_text(const std::string& file, const CollectedPress& press, const BodyFit* fit) {
+  const QString name = as_text(std::filesystem::path(file).filename().string());
+  if (fit != nullptr)
+    return PressModel::tr("depths on %1 read %2 % of the true ones")
+        .arg(name, number_and_sd(100 * fit->scale, 100 * fit->sd, 1));
+  if (press.is_analysed && press.analysis.problem) return refusal_word(*press.analysis.problem);
+  return PressModel::tr("the body %1").arg(name);
 }
 
 QString ball_state_text(const BallFit& ball) {
@@ -57,6 +67,15 @@ const StepFit* fitted_step(const CalibrationRun& run, const std::string& press) 
   return nullptr;
 }
 
+const BodyFit* fitted_body(const CalibrationRun& run, const std::string& press,
+                           const std::string& file) {
+  if (!run.result()) return nullptr;
+  const std::string name = std::filesystem::path(file).filename().string();
+  for (const BodyFit& body : run.result()->calibration.bodies)
+    if (body.press == press && body.body == name) return &body;
+  return nullptr;
+}
+
 QString press_state_text(const CollectedPress& press, const PressCollection& collection,
                          const CalibrationRun& run) {
   const PressNote& note = collection.press_set().of(press.name);
@@ -64,6 +83,8 @@ QString press_state_text(const CollectedPress& press, const PressCollection& col
   if (note.excluded)
     return note.excluded->empty() ? PressModel::tr("left out")
                                   : PressModel::tr("left out: %1").arg(as_text(*note.excluded));
+  if (note.body)
+    return body_state_text(*note.body, press, fitted_body(run, press.name, *note.body));
   if (note.step_mm) return punch_state_text(*note.step_mm, press, fitted_step(run, press.name));
   if (const BallFit* ball = fitted_ball(run, press.name)) return ball_state_text(*ball);
   if (note.ball_mm) return PressModel::tr("ball set by hand");
@@ -81,7 +102,7 @@ std::optional<Meaning> press_meaning(const CollectedPress& press, const PressCol
   const PressNote& note = collection.press_set().of(press.name);
   if (!collection.is_saved(press.name)) return Meaning::kBad;
   if (note.excluded) return std::nullopt;
-  if (!note.step_mm)
+  if (note.is_ball())
     if (const BallFit* ball = fitted_ball(run, press.name))
       if (const auto error = press_error_mm(*ball)) return meaning_of_error(*error);
   if (press.is_analysed && press.analysis.problem && !note.ball_mm) return Meaning::kDoubtful;
@@ -203,7 +224,7 @@ std::optional<ShownBall> known_ball(const CollectedPress& press, const PressColl
                                     const CalibrationRun& run) {
   const PressNote& note = collection.press_set().of(press.name);
   const double radius = collection.press_set().radius_of(press.name);
-  if (collection.analyser() == nullptr || !(radius > 0) || note.step_mm) return std::nullopt;
+  if (collection.analyser() == nullptr || !(radius > 0) || !note.is_ball()) return std::nullopt;
   const auto shown = [&](const Eigen::Vector3d& centre, bool is_by_hand) {
     ShownBall ball{collection.analyser()->camera(), radius, centre, is_by_hand,
                    Eigen::Vector3d::UnitZ()};

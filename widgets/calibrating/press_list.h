@@ -58,6 +58,9 @@ class PressThumbnails {
 /// nullptr where the press is not part of a calibration with figures.
 [[nodiscard]] const BallFit* fitted_ball(const CalibrationRun& run, const std::string& press);
 [[nodiscard]] const StepFit* fitted_step(const CalibrationRun& run, const std::string& press);
+/// nullptr also where the calibration used another body than that of `file`.
+[[nodiscard]] const BodyFit* fitted_body(const CalibrationRun& run, const std::string& press,
+                                         const std::string& file);
 
 /// Rating of a press by its error, or as refused; nullopt where it is unknown.
 [[nodiscard]] std::optional<Meaning> press_meaning(const CollectedPress& press,

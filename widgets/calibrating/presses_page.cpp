@@ -17,11 +17,13 @@
 #include <QFileDialog>
 #include <QFormLayout>
 #include <QHBoxLayout>
+#include <QMenu>
 #include <QPainter>
 #include <QPainterPath>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <cmath>
+#include <filesystem>
 
 namespace alltact {
 namespace {
@@ -357,10 +359,12 @@ PressForm::PressForm(PressCollection& collection, QWidget* parent)
       depth_label_(new QLabel),
       depth_sd_label_(new QLabel),
       step_label_(new QLabel),
+      body_label_(new QLabel),
       radius_(new NumberField),
       depth_(new NumberField),
       depth_sd_(new NumberField),
-      step_(new NumberField) {
+      step_(new NumberField),
+      body_(new QPushButton) {
   auto* form = without_margins(new QFormLayout(this));
   const auto add = [form](QLabel* label, NumberField* field, const Quantity& is, double step) {
     field->set_quantity(is);
@@ -375,6 +379,12 @@ PressForm::PressForm(PressCollection& collection, QWidget* parent)
   add(depth_sd_label_, depth_sd_, kDepthSd, 0.005);
   depth_sd_->setMinimum(kMinSdMm);
   add(step_label_, step_, kStepHeight, 0.1);
+  body_label_->setBuddy(body_);
+  form->addRow(body_label_, body_);
+  auto* menu = new QMenu(body_);
+  choose_mesh_ = menu->addAction(QString(), this, &PressForm::choose_mesh);
+  no_mesh_ = menu->addAction(QString(), this, [this] { collection_.set_body_of(shown_, {}); });
+  body_->setMenu(menu);
   connect(radius_, &NumberField::valueChanged, this,
           [this](double value) { collection_.set_radius_of(shown_, value); });
   connect(depth_, &NumberField::valueChanged, this, [this](double value) {
@@ -410,12 +420,30 @@ void PressForm::name_parts() {
   step_->setToolTip(
       tr("Step height of a flat punch pressed in instead of a ball; the program then searches for "
          "no ball"));
+  body_label_->setText(tr("Another &body"));
+  body_->setAccessibleName(tr("Mesh of another body"));
+  body_->setToolTip(
+      tr("A body of known shape pressed in instead of a ball, such as a rod or a printed part: its "
+         "closed mesh, STL or OBJ in mm. The program finds its pose."));
+  choose_mesh_->setText(tr("&Choose a mesh…"));
+  no_mesh_->setText(tr("A &ball"));
+  if (!shown_.empty()) show_press(shown_);
+}
+
+void PressForm::choose_mesh() {
+  auto* dialog = new QFileDialog(this, tr("Mesh of the body"), QString(),
+                                 tr("Meshes (*.stl *.obj *.STL *.OBJ)"));
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  connect(dialog, &QFileDialog::fileSelected, this, [this, press = shown_](const QString& file) {
+    collection_.set_body_of(press, file.toStdString());
+  });
+  show_dialog(*dialog);
 }
 
 void PressForm::show_press(const std::string& name) {
   shown_ = name;
   const PressNote& note = collection_.press_set().of(name);
-  const bool is_ball = !note.step_mm;
+  const bool is_ball = note.is_ball();
   show_value(radius_, collection_.press_set().radius_of(name));
   show_value(depth_, note.depth ? note.depth->mm : 0.0);
   show_value(depth_sd_, note.depth ? note.depth->sd_mm : kTypicalDepthSdMm);
@@ -427,7 +455,12 @@ void PressForm::show_press(const std::string& name) {
   enable(radius_label_, radius_, is_ball);
   enable(depth_label_, depth_, is_ball);
   enable(depth_sd_label_, depth_sd_, is_ball && note.depth);
-  enable(step_label_, step_, !is_ball || !note.depth);
+  enable(step_label_, step_, note.step_mm || (is_ball && !note.depth));
+  body_label_->setEnabled(note.body || (is_ball && !note.depth));
+  body_->setEnabled(body_label_->isEnabled());
+  body_->setText(note.body ? as_text(std::filesystem::path(*note.body).filename().string())
+                           : tr("none"));
+  no_mesh_->setEnabled(note.body.has_value());
 }
 
 namespace {
@@ -511,7 +544,7 @@ std::optional<ShownBall> PressesPage::ball_of(const CollectedPress& press) const
   if (auto known = known_ball(press, collection_, run_)) return known;
   const double radius = collection_.press_set().radius_of(press.name);
   if (collection_.analyser() == nullptr || !(radius > 0) ||
-      collection_.press_set().of(press.name).step_mm || press.analysis.grey.empty())
+      !collection_.press_set().of(press.name).is_ball() || press.analysis.grey.empty())
     return std::nullopt;
   // No ball was found: an outline in the middle for the user to drag onto it.
   const auto middle =
@@ -594,9 +627,9 @@ void PressesPage::show_shown() {
     return;
   }
   const PressNote& note = collection_.press_set().of(press->name);
-  const bool is_measured = note.depth || note.step_mm || note.ball_radius_mm;
-  find_->setEnabled(!note.step_mm && note.ball_mm.has_value());
-  legend_->setVisible(!note.step_mm);
+  const bool is_measured = note.depth || !note.is_ball() || note.ball_radius_mm;
+  find_->setEnabled(note.is_ball() && note.ball_mm.has_value());
+  legend_->setVisible(note.is_ball());
   more_->setArrowType(more_->isChecked() ? Qt::DownArrow : Qt::RightArrow);
   form_->setVisible(more_->isChecked() || is_measured);
   more_->setVisible(!is_measured);

@@ -15,6 +15,7 @@
 #include "widgets/shell/problem_list.h"
 #include "widgets/widget_base.h"
 
+#include <QAction>
 #include <QCheckBox>
 #include <QGroupBox>
 #include <QLabel>
@@ -27,7 +28,7 @@
 
 namespace alltact {
 
-// Form for the notes of one press: ball or punch, and measured depth.
+// Form for the notes of one press: ball, punch or another body, and measured depth.
 
 class PressForm : public Translated<QWidget> {
   Q_OBJECT
@@ -38,11 +39,14 @@ class PressForm : public Translated<QWidget> {
 
  private:
   void name_parts();
+  void choose_mesh();
 
   PressCollection& collection_;
   std::string shown_;
-  QLabel *radius_label_, *depth_label_, *depth_sd_label_, *step_label_;
+  QLabel *radius_label_, *depth_label_, *depth_sd_label_, *step_label_, *body_label_;
   NumberField *radius_, *depth_, *depth_sd_, *step_;
+  QPushButton* body_;  ///< its menu chooses a mesh, or a ball again
+  QAction *choose_mesh_, *no_mesh_;
 };
 
 // What the ball's position means for one press: the error of the mapping under it, as an image

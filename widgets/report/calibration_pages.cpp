@@ -158,6 +158,7 @@ class ReportPages {
   void add_facts();
   [[nodiscard]] QString press_words(const BallFit& ball) const;
   static QString punch_words(const StepFit& step);
+  static QString body_words(const BodyFit& body);
   void add_presses();
   void add_left_out();
   void add_mapping();
@@ -303,7 +304,8 @@ void ReportPages::add_facts() {
                                               : ""));
   add(text("Presses"),
       text("%1 used of %2 given")
-          .arg(calibration_.calibration.balls.size() + calibration_.calibration.steps.size())
+          .arg(calibration_.calibration.balls.size() + calibration_.calibration.steps.size() +
+               calibration_.calibration.bodies.size())
           .arg(calibration_.presses.size()));
   add(text("Camera"), text("%1, %2 x %3 px")
                           .arg(QString::fromUtf8(to_string(finger.camera.model).data()))
@@ -615,9 +617,13 @@ QString ReportPages::press_words(const BallFit& ball) const {
 }
 
 QString ReportPages::punch_words(const StepFit& step) {
-  return as_text(step.press) + "\n" +
-         text("a punch with a step of %1 mm, which reads %2 ± %3 mm")
-             .arg(mm(step.step_mm), mm(step.estimated_mm), sd_number(step.sd_mm, 3));
+  return text("a punch with a step of %1 mm, which reads %2 ± %3 mm")
+      .arg(mm(step.step_mm), mm(step.estimated_mm), sd_number(step.sd_mm, 3));
+}
+
+QString ReportPages::body_words(const BodyFit& body) {
+  return text("%1, on which depths read %2 ± %3 % of the true ones")
+      .arg(as_text(body.body), plain_number(100 * body.scale, 1), sd_number(100 * body.sd, 1));
 }
 
 void ReportPages::add_presses() {
@@ -648,17 +654,21 @@ void ReportPages::add_presses() {
          {mm(ball->centre_sd_mm.z())},
          {press == taken.end() ? QString() : percent(press->second->sign.light_change)}});
   }
-  for (const StepFit& step : calibration_.calibration.steps) {
-    const auto press = taken.find(step.press);
-    if (press == taken.end()) continue;
+  const auto add_other = [&](const std::string& name, const QString& words) {
+    const auto press = taken.find(name);
+    if (press == taken.end()) return;
     rows.push_back({{QString(), full_image(press->second->grey, size), kImageWidth},
-                    {punch_words(step)},
+                    {as_text(name) + "\n" + words},
                     {text("none")},
                     {text("none")},
                     {text("none")},
                     {text("none")},
                     {percent(press->second->sign.light_change)}});
-  }
+  };
+  for (const StepFit& step : calibration_.calibration.steps)
+    add_other(step.press, punch_words(step));
+  for (const BodyFit& body : calibration_.calibration.bodies)
+    add_other(body.press, body_words(body));
   document_.image_table(
       {text("Image"), text("Press"), text("Depth (mm)"), text("With this press (mm)"),
        text("Error (mm)"), text("Ball's distance, sd (mm)"), text("Light (%)")},

@@ -49,7 +49,7 @@ Forecast four_presses() {
 
 TEST(ForecastCalibration, IsTheSameSolutionToTheBit) {
   const Forecast made = four_presses();
-  const auto forecast = forecast_calibration(made.finger, made.presses, made.inputs, Job());
+  const auto forecast = forecast_calibration(made.finger, {}, made.presses, made.inputs, Job());
   ASSERT_TRUE(forecast) << forecast.error().sentence();
   const auto camera = Camera::create(made.finger.camera).value();
   const auto solved = calibrate(made.as_solved, camera, made.finger.face, {}, Job());
@@ -67,18 +67,19 @@ TEST(ForecastCalibration, TakesWhatIsSaidOfPressesNow) {
   PressNote note;
   note.excluded = "glove";
   made.inputs.press_set.say("p2", note);
-  const auto without = forecast_calibration(made.finger, made.presses, made.inputs, Job());
+  const auto without = forecast_calibration(made.finger, {}, made.presses, made.inputs, Job());
   ASSERT_TRUE(without) << without.error().sentence();
   EXPECT_EQ(without->calibration.balls.size(), 3U);
   for (const char* name : {"p0", "p1", "p2", "p3"}) made.inputs.press_set.say(name, note);
-  const auto none = forecast_calibration(made.finger, made.presses, made.inputs, Job());
+  const auto none = forecast_calibration(made.finger, {}, made.presses, made.inputs, Job());
   ASSERT_FALSE(none);
   EXPECT_THAT(none.error().what.english(), HasSubstr("no press can be used"));
 }
 
 TEST(FitOfPress, IsLeastWhereTheBallIsAndTellsWhichWayItIsOff) {
   Forecast made = four_presses();
-  const auto forecast = forecast_calibration(made.finger, made.presses, made.inputs, Job()).value();
+  const auto forecast =
+      forecast_calibration(made.finger, {}, made.presses, made.inputs, Job()).value();
   const Press& press = made.as_solved[1];
   const auto fit_at = [&](const Eigen::Vector3d& centre) {
     return fit_of_press(press, made.finger.face, forecast.calibration.mapping, centre);

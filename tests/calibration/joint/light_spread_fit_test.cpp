@@ -108,7 +108,7 @@ std::optional<LightSpreadFit> fit_to(const std::vector<Press>& presses, const Ma
   std::vector<BallStart> balls;
   for (const Press& press : presses)
     balls.push_back({&press, find_ball(press, scene.face).value().centre_mm});
-  return fit_light_spread(balls, scene.face, Job{});
+  return fit_light_spread(balls, scene.face, {}, Job{});
 }
 
 // A lamp that moves relative to the face changes all that is seen around one ball.

@@ -1,8 +1,11 @@
-// Presses of which more is known than the picture shows: a measured depth, a punch with a step.
+// Presses of which more is known than the picture shows: a measured depth, a punch with a step,
+// another body of known shape.
 #include "calibration/joint/calibrate.h"
 #include "calibration/joint/joint_costs.h"
 #include "calibration/joint/step_press.h"
 #include "calibration/presses/press_note_kinds.h"
+#include "core/mesh/mesh_distance.h"
+#include "tests/support/made_meshes.h"
 #include "tests/support/made_press.h"
 #include "tests/support/slow_run.h"
 
@@ -63,6 +66,7 @@ Scale scale_of(const std::vector<Press>& presses) {
 struct Spread {
   double error = 0, z2 = 0;  ///< root mean square of ratio - 1; mean squared error over variance
   double between = 0;        ///< root mean square of between - 1
+  double sd = 0;             ///< root mean square of what the calibrations say
 };
 template <class Make>
 Spread spread_of(const char* name, const Make& make) {
@@ -74,12 +78,15 @@ Spread spread_of(const char* name, const Make& make) {
     spread.error += std::pow(scale.ratio - 1.0, 2) / runs;
     spread.between += std::pow(scale.between - 1.0, 2) / runs;
     spread.z2 += std::pow((scale.ratio - 1.0) / scale.sd, 2) / runs;
+    spread.sd += scale.sd * scale.sd / runs;
   }
   spread.error = std::sqrt(spread.error);
   spread.between = std::sqrt(spread.between);
+  spread.sd = std::sqrt(spread.sd);
   std::printf(
-      "[ figures  ] %s: off by %.4f rms at 0.8 mm, z^2 %.2f; by %.4f between 0.3 and 0.9 mm\n",
-      name, spread.error, spread.z2, spread.between);
+      "[ figures  ] %s: off by %.4f rms at 0.8 mm of %.4f promised, z^2 %.2f; by %.4f between 0.3 "
+      "and 0.9 mm\n",
+      name, spread.error, spread.sd, spread.z2, spread.between);
   return spread;
 }
 
@@ -135,6 +142,22 @@ TEST(SteppedPunch, SettlesHowFarApartDepthsAre) {
   EXPECT_LT(with.z2, 2.5);
 }
 
+/// The layer's own curve, through twelve of its points.
+MappingCurve curve_of_layer() {
+  MappingCurve curve({MappingKind::kPolynomial, 6}, kLayer.difference_at(1.3));
+  Eigen::MatrixXd rows(12, 6);
+  Eigen::VectorXd depths(12);
+  for (int i = 0; i < 12; ++i) {
+    const double x = curve.x_max() * (i + 1) / 12;
+    Eigen::VectorXd gradient(6);
+    (void)curve.depth_mm(x, gradient.data());
+    rows.row(i) = gradient.transpose();
+    depths[i] = kLayer.depth_at(x);
+  }
+  curve.values() = rows.colPivHouseholderQr().solve(depths);
+  return curve;
+}
+
 TEST(SteppedPunch, IsReadByTheMappingOnInclinedFacesToo) {
   for (const double incline : {0.0, 20.0, 35.0}) {
     double sum = 0, most = 0;
@@ -149,18 +172,7 @@ TEST(SteppedPunch, IsReadByTheMappingOnInclinedFacesToo) {
       const Press press = make_punch_press(scene, kLayer, punch, 1.0, random, "step");
       const auto step = find_step(press, scene.face);
       ASSERT_TRUE(step.ok()) << incline << ": " << step.error().sentence();
-      // The layer's own curve, through twelve of its points.
-      MappingCurve curve({MappingKind::kPolynomial, 6}, kLayer.difference_at(1.3));
-      Eigen::MatrixXd rows(12, 6);
-      Eigen::VectorXd depths(12);
-      for (int i = 0; i < 12; ++i) {
-        const double x = curve.x_max() * (i + 1) / 12;
-        Eigen::VectorXd gradient(6);
-        (void)curve.depth_mm(x, gradient.data());
-        rows.row(i) = gradient.transpose();
-        depths[i] = kLayer.depth_at(x);
-      }
-      curve.values() = rows.colPivHouseholderQr().solve(depths);
+      const MappingCurve curve = curve_of_layer();
       const StepReading reading = read_step(*step, curve, curve.values().data(), MappingAlong::kZ);
       sum += (reading.height_mm - punch.step_mm) / kRuns;
       most = std::max(most, std::abs(reading.height_mm - punch.step_mm) / reading.sd_mm);
@@ -203,45 +215,174 @@ TEST(SteppedPunch, AloneIsNoCalibration) {
   EXPECT_THAT(done.error().sentence(), HasSubstr("pressing a ball at least once as well"));
 }
 
-TEST(MeasuredCosts, HaveTheDerivativesThatDifferencesShow) {
+/// Presses of a rod in any direction on the face.
+void add_rods(int count, std::mt19937& random, std::vector<Press>* presses) {
+  const MadeScene scene = flat_scene();
+  const auto shape = std::make_shared<const MeshDistance>(
+      MeshDistance::create(test::rod(Rod{}.radius_mm, Rod{}.half_length_mm)).value());
+  std::uniform_real_distribution<double> turn(0.0, M_PI), tilt(-0.02, 0.02), depth(0.6, 0.9);
+  for (int i = 0; i < count; ++i) {
+    Rod rod{200, 150};
+    rod.turn = turn(random);
+    rod.tilt = tilt(random);
+    rod.depth_mm = depth(random);
+    presses->push_back(make_rod_press(scene, kLayer, rod, kNoise, random, fmt::format("rod{}", i)));
+    presses->back().body = KnownBody{"rod.stl", shape};
+  }
+}
+
+TEST(KnownBodies, AreReadByTheMappingOnInclinedFacesToo) {
+  const MappingCurve curve = curve_of_layer();
+  const MeshDistance shape =
+      MeshDistance::create(test::rod(Rod{}.radius_mm, Rod{}.half_length_mm)).value();
+  for (const double incline : {0.0, 20.0, 35.0}) {
+    double sum = 0, most = 0, sd = 0;
+    constexpr int kRuns = 6;
+    for (unsigned run = 0; run < kRuns; ++run) {
+      std::mt19937 random(run);
+      const MadeScene scene = finger_scene(80.0, incline);
+      std::uniform_real_distribution<double> turn(0.0, M_PI), tilt(-0.03, 0.03);
+      Rod rod{480, 300};
+      rod.turn = turn(random);
+      rod.tilt = tilt(random);
+      const Press press = make_rod_press(scene, kLayer, rod, 1.0, random, "rod");
+      const auto body = find_body("rod", sample_for_body(press, scene.face), shape, curve,
+                                  MappingAlong::kZ, Job{});
+      ASSERT_TRUE(body.ok()) << incline << ": " << body.error().sentence();
+      const ScaleReading reading =
+          read_scale(KnownShape(*body), curve, curve.values().data(), MappingAlong::kZ);
+      sum += (reading.scale - 1) / kRuns;
+      sd += reading.sd / kRuns;
+      most = std::max(most, std::abs(reading.scale - 1) / reading.sd);
+    }
+    std::printf(
+        "[ figures  ] face inclined by %.0f deg: depths on a rod read %+.2f %% too large, at most "
+        "%.1f of their sd of %.2f %%\n",
+        incline, 100 * sum, most, 100 * sd);
+    EXPECT_NEAR(sum, 0.0, 0.01) << incline;
+    EXPECT_LT(most, 3.0) << incline;
+  }
+}
+
+TEST(KnownBodies, SettleTheScale) {
+  const auto by_pictures = spread_of("three balls alone", [](std::mt19937& random) {
+    return ball_presses(0, 0.01, random, kFewBalls);
+  });
+  const auto with = spread_of("with two rods", [](std::mt19937& random) {
+    auto presses = ball_presses(0, 0.01, random, kFewBalls);
+    add_rods(2, random, &presses);
+    return presses;
+  });
+  EXPECT_LT(with.sd, 0.95 * by_pictures.sd);
+  EXPECT_LT(with.error, 1.2 * by_pictures.error);
+  EXPECT_LT(with.z2, 2.5);
+}
+
+// A ball that is smaller than given makes depths too large, and the presses of balls cannot show
+// it.
+TEST(KnownBodies, CorrectTheScaleOfAWrongRadius) {
+  const auto with_wrong_radius = [](std::mt19937& random) {
+    auto presses = ball_presses(0, 0.01, random);
+    for (Press& press : presses) press.ball_radius_mm *= 1.04;
+    return presses;
+  };
+  const auto by_pictures = spread_of("balls given 4 % too large", with_wrong_radius);
+  const auto with = spread_of("the same with three rods", [&](std::mt19937& random) {
+    auto presses = with_wrong_radius(random);
+    add_rods(3, random, &presses);
+    return presses;
+  });
+  EXPECT_GT(by_pictures.error, 0.03);
+  EXPECT_LT(with.error, 0.85 * by_pictures.error);
+}
+
+TEST(KnownBodies, ThatContradictTheBallsAreNotUsed) {
+  std::mt19937 random(6);
+  auto presses = ball_presses(0, 0.01, random);
+  add_rods(1, random, &presses);
+  for (Press& press : presses)
+    if (press.is_ball()) press.ball_radius_mm *= 1.25;  // as a mistyped diameter
+  const MadeScene scene = flat_scene();
+  const auto done = calibrate(presses, scene.camera, scene.face, {}, Job{});
+  ASSERT_TRUE(done.ok()) << done.error().sentence();
+  EXPECT_THAT(done->bodies, testing::IsEmpty());
+  EXPECT_THAT(done->left_out,
+              testing::Contains(testing::Property(
+                  &Message::english, testing::AllOf(HasSubstr("rod0: its body was left out"),
+                                                    HasSubstr("check the balls' radius")))));
+}
+
+TEST(KnownBodies, AloneAreNoCalibration) {
+  std::mt19937 random(8);
+  std::vector<Press> presses;
+  add_rods(2, random, &presses);
+  const MadeScene scene = flat_scene();
+  const auto done = calibrate(presses, scene.camera, scene.face, {}, Job{});
+  ASSERT_FALSE(done.ok());
+  EXPECT_THAT(done.error().sentence(), HasSubstr("pressing a ball at least once as well"));
+}
+
+TEST(MeasuredCosts, OfADepthHaveTheDerivativesThatDifferencesShow) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
-  const MadeScene scene = flat_scene();
-  const Press press = make_punch_press(scene, kLayer, {200, 150}, 1.0, random, "step");
-  const StepSamples step = find_step(press, scene.face).value();
   WeightedPress weighted;
   weighted.ball_radius_mm = 4.0;
   weighted.given_depth = {0.7, 0.013};
   for (int round = 0; round < 20; ++round) {
     weighted.plane.normal = Eigen::Vector3d(uniform(random), uniform(random), 2.0).normalized();
+    const GivenDepthCost cost(weighted);
+    const Eigen::Vector3d at(uniform(random), uniform(random), 23.0);
+    const auto value = [&](const Eigen::Vector3d& there) {
+      const double* parameters[] = {there.data()};
+      double residual = 0;
+      EXPECT_TRUE(cost.Evaluate(parameters, &residual, nullptr));
+      return residual;
+    };
+    Eigen::Vector3d gradient;
+    double residual = 0;
+    const double* parameters[] = {at.data()};
+    double* jacobians[] = {gradient.data()};
+    ASSERT_TRUE(cost.Evaluate(parameters, &residual, jacobians));
+    for (int k = 0; k < 3; ++k) {
+      constexpr double kStep = 1e-5;
+      Eigen::Vector3d up = at, down = at;
+      up[k] += kStep;
+      down[k] -= kStep;
+      EXPECT_NEAR(gradient[k], (value(up) - value(down)) / (2 * kStep),
+                  1e-6 * gradient.cwiseAbs().maxCoeff());
+    }
+  }
+}
+
+TEST(MeasuredCosts, OfAStepHaveTheValueAndDerivativesOfItsReading) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  const MadeScene scene = flat_scene();
+  const Press press = make_punch_press(scene, kLayer, {200, 150}, 1.0, random, "step");
+  const KnownShape step = find_step(press, scene.face).value();
+  for (int round = 0; round < 20; ++round) {
     MappingCurve curve({MappingKind::kMoebius, 3}, 0.6);
     curve.values() << 1.8 + 0.3 * uniform(random), 0.2 * uniform(random), 0.06;
-    const GivenDepthCost told(weighted);
-    const StepCost punch(step, curve, MappingAlong::kZ);
-    for (const ceres::CostFunction* cost : {static_cast<const ceres::CostFunction*>(&told),
-                                            static_cast<const ceres::CostFunction*>(&punch)}) {
-      Eigen::Vector3d at(uniform(random), uniform(random), 23.0);
-      if (cost == &punch) at = curve.values();
-      const auto value = [&](const Eigen::Vector3d& there) {
-        const double* parameters[] = {there.data()};
-        double residual = 0;
-        EXPECT_TRUE(cost->Evaluate(parameters, &residual, nullptr));
-        return residual;
-      };
-      Eigen::Vector3d gradient;
-      double residual = 0;
-      const double* parameters[] = {at.data()};
-      double* jacobians[] = {gradient.data()};
-      ASSERT_TRUE(cost->Evaluate(parameters, &residual, jacobians));
-      for (int k = 0; k < 3; ++k) {
-        constexpr double kStep = 1e-5;
-        Eigen::Vector3d up = at, down = at;
-        up[k] += kStep;
-        down[k] -= kStep;
-        // A step's planes turn with the depths, which counts a hundredth of the whole.
-        EXPECT_NEAR(gradient[k], (value(up) - value(down)) / (2 * kStep),
-                    1e-6 + 0.02 * gradient.cwiseAbs().maxCoeff());
-      }
+    const Eigen::Vector3d at = curve.values();
+    const ScaleReading reading = read_scale(step, curve, at.data(), MappingAlong::kZ);
+    const double root_weight = kRootWeightOfKnown / reading.sd;
+    const ScaleCost cost(step, curve, MappingAlong::kZ);
+    Eigen::Vector3d gradient;
+    double residual = 0;
+    const double* parameters[] = {at.data()};
+    double* jacobians[] = {gradient.data()};
+    ASSERT_TRUE(cost.Evaluate(parameters, &residual, jacobians));
+    EXPECT_DOUBLE_EQ(residual, root_weight * (reading.scale - 1));
+    for (int k = 0; k < 3; ++k) {
+      constexpr double kStep = 1e-5;
+      Eigen::Vector3d up = at, down = at;
+      up[k] += kStep;
+      down[k] -= kStep;
+      const double difference = (read_scale(step, curve, up.data(), MappingAlong::kZ).scale -
+                                 read_scale(step, curve, down.data(), MappingAlong::kZ).scale) /
+                                (2 * kStep);
+      // A step's planes turn with the depths, which counts a hundredth of the whole.
+      EXPECT_NEAR(gradient[k], root_weight * difference, 0.02 * gradient.cwiseAbs().maxCoeff());
     }
   }
 }

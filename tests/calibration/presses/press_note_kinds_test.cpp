@@ -28,6 +28,9 @@ TEST(PressSayings, AreReadAsTheCommandLineWritesThem) {
   EXPECT_EQ(press_set("depth", "p=1.25±0.03").of("p").depth->sd_mm, 0.03);
   EXPECT_EQ(press_set("depth", "p=1.25").of("p").depth->sd_mm, kTypicalDepthSdMm);
   EXPECT_EQ(press_set("step", "p=0.5").of("p").step_mm, 0.5);
+  EXPECT_EQ(press_set("body", "p=/a/b=c/rod.stl").of("p=/a/b").body,
+            (std::filesystem::current_path() / "c/rod.stl").string());
+  EXPECT_EQ(press_set("body", "p=/a/rod.stl").of("p").body, "/a/rod.stl");
   EXPECT_EQ(press_set("other-ball", "p=5").of("p").ball_radius_mm, 5.0);
   EXPECT_EQ(press_set("ball", "p=1.5,-2,48").of("p").ball_mm, Eigen::Vector3d(1.5, -2, 48));
   EXPECT_EQ(press_set("exclude", "p").of("p").excluded, "");
@@ -50,6 +53,7 @@ TEST(PressSayings, OtherTextsAreRefusedAndSayNothing) {
   refuse("depth", {"p=1+-", "p=1+-0", "p=1+--1", "p=+-0.1", "p=1+-nan"});
   refuse("ball", {"", "p", "p=", "p=1,2", "p=1,2,3,4", "=1,2,3", "p=1,2,-3", "p=1,2,nan",
                   "p=1,2,inf", "p=1 2 3", "p=1,2,3x"});
+  refuse("body", {"", "p", "p=", "=rod.stl"});
   refuse("exclude", {"", "=why"});
 }
 
@@ -75,6 +79,7 @@ RC_GTEST_PROP(PressSayings, AllThatIsSaidIsReadBack, ()) {
     if (*rc::gen::arbitrary<bool>()) note.ball_radius_mm = number();
     if (*rc::gen::arbitrary<bool>()) note.depth = GivenDepth{number(), number()};
     if (*rc::gen::arbitrary<bool>()) note.step_mm = number();
+    if (*rc::gen::arbitrary<bool>()) note.body = "/a b/it's.stl";
     if (*rc::gen::arbitrary<bool>()) note.ball_mm = {number() - 20, number() - 20, number()};
     if (*rc::gen::arbitrary<bool>()) note.excluded = *rc::gen::element<std::string>("", "a=b, c");
     presses.say(name, note);

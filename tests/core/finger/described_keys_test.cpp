@@ -83,7 +83,8 @@ TEST(DescribedKeys, StandOnThePageOfFiles) {
   for (const char* yaml : {kEveryKey, test::kFinRay, test::kFlat}) expect_described(yaml);
   PressSet presses;
   presses.ball_radius_mm = 4;
-  presses.notes["a"] = {6.0, GivenDepth{1.2, 0.01}, 0.5, Eigen::Vector3d(1, 2, 48), "glove"};
+  presses.notes["a"] = {
+      6.0, GivenDepth{1.2, 0.01}, 0.5, "bodies/rod.stl", Eigen::Vector3d(1, 2, 48), "glove"};
   expect_described(presses.to_yaml());
 }
 

@@ -22,6 +22,7 @@ PressSet some_notes() {
   twelve.ball_mm = {0, 0, 1e-3};
   press_set.notes["press_1"].step_mm = 0.5;
   press_set.notes["press_1"].excluded = "";
+  press_set.notes["press_2"].body = "bodies/it's a rod.stl";
   press_set.notes["it's, a [press]"].ball_mm = {1.25, -2, 48.0625};
   press_set.notes["press_0"].excluded = "glove in view";
   return press_set;
@@ -79,6 +80,7 @@ TEST(PressSet, SpoiltValuesAreNamed) {
   refused("depths: [a]\ndepths_mm: [[1, 0]]", "depths_mm");
   refused("depths: [a]\ndepths_mm: []", "depths_mm");
   refused("steps: [a]\nsteps_mm: [-0.5]", "steps_mm");
+  refused("bodies: [a]\nbody_files: []", "body_files");
   refused("excluded: [a]\nexcluded_because: []", "excluded_because");
   EXPECT_FALSE(PressSet::parse("format: other/9\n", "notes.yaml").ok());
 }

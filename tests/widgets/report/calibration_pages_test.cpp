@@ -83,8 +83,10 @@ TEST(CalibrationPages, ShowMeasuredDepthsAndStepsBesideTheirPresses) {
   ball.indentation_mm = 1.012;
   done.presses.push_back({"punch_1", cv::Mat(180, 240, CV_8UC1, cv::Scalar(100)), {}, "", {}});
   done.calibration.steps.push_back({"punch_1", 0.5, 0.503, 0.004});
+  done.presses.push_back({"rod_1", cv::Mat(180, 240, CV_8UC1, cv::Scalar(100)), {}, "", {}});
+  done.calibration.bodies.push_back({"rod_1", "rod.stl", 1.012, 0.006});
   const std::string html = pages_of(done).html;
-  EXPECT_THAT(html, HasSubstr("5 used of 6 given"));
+  EXPECT_THAT(html, HasSubstr("6 used of 7 given"));
   const std::size_t measured =
       html.find("measured 1.000 ± 0.020 mm deep, the solution has 1.012 mm");
   ASSERT_NE(measured, std::string::npos);
@@ -93,6 +95,10 @@ TEST(CalibrationPages, ShowMeasuredDepthsAndStepsBesideTheirPresses) {
       html.find("a punch with a step of 0.500 mm, which reads 0.503 ± 0.004 mm");
   ASSERT_NE(step, std::string::npos);
   EXPECT_LT(step - html.rfind("punch_1<", step), 40U);
+  const std::size_t body =
+      html.find("rod.stl, on which depths read 101.2 ± 0.6 % of the true ones");
+  ASSERT_NE(body, std::string::npos);
+  EXPECT_LT(body - html.rfind("rod_1<", body), 40U);
 }
 
 TEST(CalibrationPages, StandAlone) {
