@@ -1,10 +1,10 @@
 #include "calibration/joint/body_press.h"
 
+#include "calibration/joint/pressed_part.h"
 #include "core/mesh/mesh_distance.h"
 #include "core/numerics/median.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -320,26 +320,11 @@ template <class DepthOf>
 void select_pressed(PressSamples& press, const DepthOf& depth_of) {
   double deepest = 0;
   for (const Sample& sample : press.samples) deepest = std::max(deepest, depth_of(sample));
-  const auto is_pressed = [&](const Sample& sample) {
-    return depth_of(sample) > kPressedPart * deepest;
-  };
-  const auto cell_of = [&](const Sample& sample) {
-    return cv::Point(static_cast<int>(std::floor(sample.pixel.x() / press.block_px)),
-                     static_cast<int>(std::floor(sample.pixel.y() / press.block_px)));
-  };
-  cv::Point last;
-  for (const Sample& sample : press.samples)
-    last = {std::max(last.x, cell_of(sample).x), std::max(last.y, cell_of(sample).y)};
-  cv::Mat mask(last.y + 1, last.x + 1, CV_8UC1, cv::Scalar(0)), labels, stats, centres;
-  for (const Sample& sample : press.samples)
-    if (is_pressed(sample)) mask.at<std::uint8_t>(cell_of(sample)) = 255;
-  const int count = cv::connectedComponentsWithStats(mask, labels, stats, centres, 8, CV_32S);
-  int largest = -1, area = 0;
-  for (int i = 1; i < count; ++i)
-    if (stats.at<int>(i, cv::CC_STAT_AREA) > area)
-      largest = i, area = stats.at<int>(i, cv::CC_STAT_AREA);
-  std::erase_if(press.samples,
-                [&](const Sample& sample) { return labels.at<int>(cell_of(sample)) != largest; });
+  const cv::Mat mask = largest_part(
+      press, [&](const Sample& sample) { return depth_of(sample) > kPressedPart * deepest; }, 8);
+  std::erase_if(press.samples, [&](const Sample& sample) {
+    return mask.at<std::uint8_t>(cell_of(sample, press.block_px)) == 0;
+  });
 }
 
 /// The body's surface under a point of the skin. nullopt: it has an edge within kEdgeMm, or is
@@ -426,9 +411,7 @@ Error refused(const std::string& press, Message what) {
 }  // namespace
 
 PressSamples sample_for_body(const Press& press, const Face& face) {
-  const double finite = cv::countNonZero(measured_pixels(press.difference.x));
-  const int block = std::max(2, static_cast<int>(std::ceil(std::sqrt(finite / kRoughSamples))));
-  PressSamples rough = sample_press(press, face, block);
+  PressSamples rough = sample_press(press, face, block_px_for(press, kRoughSamples));
   if (!rough.samples.empty()) select_pressed(rough, [](const Sample& sample) { return sample.x; });
   if (rough.samples.empty()) return rough;
   Vector3d middle = Vector3d::Zero();

@@ -1,5 +1,6 @@
 #include "calibration/joint/step_press.h"
 
+#include "calibration/joint/pressed_part.h"
 #include "calibration/presses/press.h"
 #include "core/numerics/median.h"
 
@@ -27,11 +28,6 @@ constexpr double kSeenPart = 0.5;  // of the scatter without a step: limit of th
 constexpr double kFlatSdMm = 0.005;
 constexpr double kUnevenPart = 0.3;  // of the plateaus' unevenness: the shift it may cause
 
-int block_for(const Press& press) {
-  const double finite = cv::countNonZero(measured_pixels(press.difference.x));
-  return std::max(2, static_cast<int>(std::ceil(std::sqrt(finite / kMaxSamples))));
-}
-
 /// Distance of neighbouring samples, mm.
 double pitch_mm(const PressSamples& press) {
   std::vector<double> steps;
@@ -50,29 +46,13 @@ void select_punched(PressSamples& press) {
   const auto top = x.begin() + static_cast<std::ptrdiff_t>(0.995 * static_cast<double>(x.size()));
   std::nth_element(x.begin(), top, x.end());
   const double punched = std::max(kPunchedSd * press.x_sd, kPunchedPart * *top);
-  const auto cell_of = [&](const Sample& sample) {
-    return cv::Point(static_cast<int>(std::floor(sample.pixel.x() / press.block_px)),
-                     static_cast<int>(std::floor(sample.pixel.y() / press.block_px)));
-  };
-  cv::Point last;
-  for (const Sample& sample : press.samples)
-    last = {std::max(last.x, cell_of(sample).x), std::max(last.y, cell_of(sample).y)};
-  cv::Mat mask(last.y + 3, last.x + 3, CV_8UC1, cv::Scalar(0)), labels, stats, centres;
-  const cv::Point frame(1, 1);
-  for (const Sample& sample : press.samples)
-    if (sample.x > punched) mask.at<std::uint8_t>(cell_of(sample) + frame) = 255;
-  const int count = cv::connectedComponentsWithStats(mask, labels, stats, centres, 4, CV_32S);
-  int largest = 0, area = 0;
-  for (int i = 1; i < count; ++i)
-    if (stats.at<int>(i, cv::CC_STAT_AREA) > area)
-      largest = i, area = stats.at<int>(i, cv::CC_STAT_AREA);
-  mask = labels == largest;
-  if (largest == 0) mask.setTo(0);
+  const cv::Mat mask = largest_part(
+      press, [&](const Sample& sample) { return sample.x > punched; }, 4);
   cv::Mat inside;
   cv::distanceTransform(mask, inside, cv::DIST_L2, cv::DIST_MASK_PRECISE);
   const double margin = kMarginMm / std::max(1e-6, pitch_mm(press));
   std::erase_if(press.samples, [&](const Sample& sample) {
-    return !(static_cast<double>(inside.at<float>(cell_of(sample) + frame)) > margin);
+    return !(static_cast<double>(inside.at<float>(cell_of(sample, press.block_px))) > margin);
   });
 }
 
@@ -190,7 +170,7 @@ Error refused(const Press& press, Message what) {
 Result<StepSamples> find_step(const Press& press, const Face& face) {
   StepSamples step{press.name,
                    press.step_mm.value_or(0.0),
-                   sample_press(press, face, block_for(press)),
+                   sample_press(press, face, block_px_for(press, kMaxSamples)),
                    {},
                    Eigen::Vector3d::Zero()};
   std::vector<Sample>& samples = step.samples.samples;

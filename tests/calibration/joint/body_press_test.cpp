@@ -14,7 +14,6 @@
 namespace alltact::test {
 namespace {
 
-using Eigen::Isometry3d;
 using Eigen::Vector3d;
 using testing::HasSubstr;
 

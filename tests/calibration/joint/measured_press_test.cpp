@@ -1,4 +1,4 @@
-// Presses of which more is known than the picture shows: a measured depth, a punch with a step,
+// Presses of which more is known than the image shows: a measured depth, a punch with a step,
 // another body of known shape.
 #include "calibration/joint/calibrate.h"
 #include "calibration/joint/joint_costs.h"
