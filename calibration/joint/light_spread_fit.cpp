@@ -1,5 +1,6 @@
 #include "calibration/joint/light_spread_fit.h"
 
+#include "calibration/joint/known_shape.h"
 #include "calibration/joint/spread_solver.h"
 #include "core/sensing/depth/light_spread.h"
 
@@ -106,7 +107,11 @@ Evidence evidence_against(const SpreadModel& model, const Normal& local, const N
   return evidence;
 }
 
-/// Against the local light that explains most.
+// 3 and 4 to 1. Less is known of local light's curve before: in noise that prior alone would decide
+// for spread light.
+constexpr double kLeastByObservations = 1.0, kLeastEvidence = 1.5;
+
+/// Against the local light that explains most, or the first one that explains enough.
 Evidence evidence_of(const SpreadModel& model, const FittedHypothesis& spread, const Job& job) {
   Evidence least;
   for (const SeenAt seen :
@@ -116,16 +121,14 @@ Evidence evidence_of(const SpreadModel& model, const FittedHypothesis& spread, c
       if (!local) continue;
       const Evidence against = evidence_against(model, local->normal, spread.normal);
       if (against.log_ratio < least.log_ratio) least = against;
+      if (!(least.log_ratio > kLeastEvidence)) return least;
     }
   return least;
 }
 
 bool is_seen(const Evidence& evidence) {
-  // Less is known of local light's curve before: in noise that prior alone would decide for spread
-  // light.
-  constexpr double kLeastByObservations = 1.0, kLeast = 1.5;  // 3 and 4 to 1
   constexpr double kMostPresses = 0.5;
-  return std::isfinite(evidence.log_ratio) && evidence.log_ratio > kLeast &&
+  return std::isfinite(evidence.log_ratio) && evidence.log_ratio > kLeastEvidence &&
          evidence.log_likelihood_ratio > kLeastByObservations && evidence.presses >= kMostPresses;
 }
 
@@ -197,7 +200,6 @@ std::vector<ScaleEvidence> scales_at(const SpreadModel& model, const FitState& s
 std::vector<ScaleByBalls> use_scales(const ReadScales& read_scales, const Job& job,
                                      SpreadModel* model, FittedHypothesis* fitted) {
   constexpr int kRounds = 3, kSteps = 25;
-  constexpr double kFar = 4.0;
   const Eigen::MatrixXd covariance = covariance_of(fitted->normal);
   std::vector<ScaleByBalls> by_balls;
   for (int round = 0; round < kRounds && !job.stop_requested(); ++round) {
@@ -207,7 +209,8 @@ std::vector<ScaleByBalls> use_scales(const ReadScales& read_scales, const Job& j
         const Eigen::VectorXd& by = all[i].by_shared;
         const double variance = by.dot(covariance.topLeftCorner(by.size(), by.size()) * by);
         const double sd = std::sqrt(all[i].sd * all[i].sd + std::max(0.0, variance));
-        by_balls.push_back({all[i].scale, sd, std::abs(all[i].scale - 1) <= kFar * sd});
+        by_balls.push_back(
+            {all[i].scale, sd, std::abs(all[i].scale - 1) <= kContradictionSds * sd});
       }
       if (by_balls[i].agrees) used.push_back(std::move(all[i]));
     }

@@ -56,7 +56,7 @@ struct LightSpreadFit {
   /// How much each ball's depth changes when the other presses alone give the mapping.
   std::vector<double> held_out_mm;
   std::vector<ScaleByBalls> scales;  ///< in the order of ReadScales
-  /// log of the probability over that of the best local light
+  /// log of the probability over that of the best local light, or of the first that explains enough
   double log_evidence = 0;
   bool is_seen = false;  ///< significant, in most presses
 };

@@ -229,7 +229,8 @@ void SpreadModel::predict(std::size_t index, Hypothesis hypothesis, const Eigen:
   };
   const double stretch = 1.0 + layer_mm_ * press.curvature_per_mm;
   const auto distance = [&](const Eigen::Vector2d& at) {
-    return std::hypot(stretch * (at.x() - own[kAlong]), at.y() - own[kAcross]);
+    const double along = stretch * (at.x() - own[kAlong]), across = at.y() - own[kAcross];
+    return std::sqrt(along * along + across * across);  // of millimetres: hypot takes long
   };
   // Depth of the skin where a line that is displaced like this through the layer meets it.
   const auto depth_met = [&](const Eigen::Vector2d& from, const Eigen::Vector2d& displacement) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include <Eigen/Dense>
@@ -37,7 +38,11 @@ SpreadSolver::SpreadSolver(const SpreadModel& model, Hypothesis hypothesis, int 
       skip_(skip),
       shared_(fix_shared ? 0 : SpreadModel::count_of(hypothesis)) {}
 
-Normal SpreadSolver::evaluate(const FitState& state) const {
+double SpreadSolver::cost(const FitState& state) const { return sum_up(state, false).cost; }
+
+Normal SpreadSolver::evaluate(const FitState& state) const { return sum_up(state, true); }
+
+Normal SpreadSolver::sum_up(const FitState& state, bool with_derivatives) const {
   const std::size_t presses = model_.presses().size();
   Normal normal;
   normal.hessian = Eigen::MatrixXd::Zero(own_at(presses), own_at(presses));
@@ -49,7 +54,7 @@ Normal SpreadSolver::evaluate(const FitState& state) const {
       normal.hessian.diagonal().segment<kOwnCount>(own_at(p)).setOnes();
       continue;
     }
-    add_press(state, p, &normal);
+    add_press(state, p, with_derivatives, &normal);
     add_light_prior(state, p, &normal);
     if (model_.presses()[p].given_depth) add_given_depth(state, p, &normal);
   }
@@ -58,7 +63,8 @@ Normal SpreadSolver::evaluate(const FitState& state) const {
   return normal;
 }
 
-void SpreadSolver::add_press(const FitState& state, std::size_t p, Normal* normal) const {
+void SpreadSolver::add_press(const FitState& state, std::size_t p, bool with_derivatives,
+                             Normal* normal) const {
   constexpr double kStep = 1e-4;
   const SpreadPress& press = model_.presses()[p];
   const auto count = static_cast<Eigen::Index>(press.samples.size());
@@ -74,6 +80,7 @@ void SpreadSolver::add_press(const FitState& state, std::size_t p, Normal* norma
   }
   normal->cost += each * sum;
   normal->mean_square.push_back(sum / static_cast<double>(count));
+  if (!with_derivatives) return;
 
   Eigen::MatrixXd rows(count, shared_ + kOwnCount);
   for (int c = 0; c < shared_ + kOwnCount; ++c) {
@@ -178,11 +185,11 @@ std::optional<FitState> SpreadSolver::solve(FitState state, int max_steps, const
     damped.diagonal().array() += 1e-12;
     const Eigen::VectorXd by = damped.ldlt().solve(-here.gradient);
     FitState next = by.allFinite() ? moved(state, by) : state;
-    Normal there = by.allFinite() ? evaluate(next) : Normal{};
-    if (by.allFinite() && std::isfinite(there.cost) && there.cost < here.cost) {
-      const double gained = here.cost - there.cost;
+    const double there = by.allFinite() ? cost(next) : std::numeric_limits<double>::infinity();
+    if (there < here.cost) {
+      const double gained = here.cost - there;
       state = std::move(next);
-      here = std::move(there);
+      here = evaluate(state);
       damping = std::max(1e-9, damping / 5.0);
       if (gained < 1e-4 * (1.0 + 1e-3 * here.cost)) break;
     } else {

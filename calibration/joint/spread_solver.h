@@ -33,6 +33,7 @@ class SpreadSolver {
   SpreadSolver(const SpreadModel& model, Hypothesis hypothesis, int skip = -1,
                bool fix_shared = false);
 
+  [[nodiscard]] double cost(const FitState& state) const;
   [[nodiscard]] Normal evaluate(const FitState& state) const;
   /// nullopt where no step leads to finite values. The best so far where the job is stopped.
   [[nodiscard]] std::optional<FitState> solve(FitState state, int max_steps, const Job& job) const;
@@ -41,7 +42,9 @@ class SpreadSolver {
   [[nodiscard]] Eigen::Index own_at(std::size_t press) const {
     return shared_ + kOwnCount * static_cast<Eigen::Index>(press);
   }
-  void add_press(const FitState& state, std::size_t press, Normal* normal) const;
+  [[nodiscard]] Normal sum_up(const FitState& state, bool with_derivatives) const;
+  void add_press(const FitState& state, std::size_t press, bool with_derivatives,
+                 Normal* normal) const;
   void add_given_depth(const FitState& state, std::size_t press, Normal* normal) const;
   void add_scales(const Eigen::VectorXd& shared, Normal* normal) const;
   void add_light_prior(const FitState& state, std::size_t press, Normal* normal) const;
