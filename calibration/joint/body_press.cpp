@@ -160,6 +160,8 @@ struct Posed {
   double rms_mm = std::numeric_limits<double>::infinity();
 };
 
+constexpr double kNoStrength = 1e-12;  // mm^2: a factor on depths of 0 changes nothing
+
 /// What of the factor's effect no motion of the body imitates.
 Eigen::VectorXd of_factor_alone(const Linear& at, const Eigen::VectorXd& roots) {
   const Eigen::MatrixXd rows = roots.asDiagonal() * at.by_pose;
@@ -177,7 +179,7 @@ void step(const std::vector<SkinPoint>& skin, const Surface& surface, bool frees
   if (frees_factor) {
     const Eigen::VectorXd alone = of_factor_alone(at, roots);
     const double strength = alone.squaredNorm();
-    if (strength > 1e-12) change = std::clamp(-alone.dot(left) / strength, -0.3, 0.3);
+    if (strength > kNoStrength) change = std::clamp(-alone.dot(left) / strength, -0.3, 0.3);
     left += change * roots.cwiseProduct(at.by_factor);
   }
   const Eigen::Matrix<double, 6, 1> motion = -solver_of(rows).solve(left);
@@ -470,12 +472,15 @@ BodyReading read_body(const BodySamples& body, const MappingCurve& curve, const 
   const Linear at = linear_at(skin, surface, posed.camera_from_body, posed.factor);
   const Eigen::VectorXd roots = root_weights(at.gaps);
   const Eigen::VectorXd alone = of_factor_alone(at, roots);
+  BodyReading reading;
+  reading.by_values = Eigen::VectorXd::Zero(curve.family().numbers());
+  if (!(alone.squaredNorm() > kNoStrength)) {
+    reading.sd = std::numeric_limits<double>::infinity();
+    return reading;
+  }
+  reading.factor = posed.factor;
   // How much a gap changes the factor.
   const Eigen::VectorXd weight = -roots.cwiseProduct(alone) / alone.squaredNorm();
-  BodyReading reading;
-  reading.factor = posed.factor;
-  reading.camera_from_body = posed.camera_from_body;
-  reading.by_values = Eigen::VectorXd::Zero(curve.family().numbers());
   const auto count = static_cast<Eigen::Index>(skin.size());
   Eigen::VectorXd noise_mm(count);
   for (Eigen::Index i = 0; i < count; ++i) {

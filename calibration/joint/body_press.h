@@ -47,10 +47,10 @@ struct BodySamples {
 /// What a curve reads where the skin rests on the body.
 struct BodyReading {
   double factor = 1;          ///< true depth / depth read
-  double sd = 0;              ///< of the factor, by noise and by skin that does not follow the body
+  double sd = 0;              ///< of the factor, by noise and by skin that does not follow the
+                              ///< body; infinite where the depths read show nothing
   double rms_mm = 0;          ///< distance of the skin from the body with that factor
   Eigen::VectorXd by_values;  ///< derivative of the factor by the curve's numbers
-  Eigen::Isometry3d camera_from_body = Eigen::Isometry3d::Identity();
 };
 
 /// Fits the body's pose and the factor on all depths by least squares. `values`: the curve's own,

@@ -32,6 +32,8 @@ constexpr int kFineSamples = 1500;   // a press, for the solution
 constexpr int kCoarseSamples = 400;  // a press, for the choice of the model
 // of these in the inner zone, where skin and ball touch
 constexpr std::ptrdiff_t kMinBallSamples = 16;
+// Fractions of a calibration's progress, roughly as its time.
+constexpr double kBallsFound = 0.2, kSpreadKnown = 0.5, kShapesKnown = 0.6, kModelKnown = 0.9;
 
 bool same_image(const Press& a, const Press& b) {
   const cv::Mat& x = a.difference.x;
@@ -69,7 +71,7 @@ std::vector<FoundBall> find_balls(const std::vector<Press>& presses, const Face&
   for (std::size_t i = 0; i < presses.size() && !job.stop_requested(); ++i) {
     const Press& press = presses[i];
     if (!press.is_ball()) continue;
-    job.report(0.2 * static_cast<double>(i) / static_cast<double>(presses.size()),
+    job.report(static_cast<double>(i) / static_cast<double>(presses.size()),
                en::say("looking for the ball in {}", press.name));
     const auto duplicate =
         std::find_if(presses.begin(), presses.begin() + static_cast<std::ptrdiff_t>(i),
@@ -101,10 +103,8 @@ std::vector<FoundBall> find_balls(const std::vector<Press>& presses, const Face&
   return found;
 }
 
-constexpr double kFar = 4.0;  // standard deviations
-
 bool is_far(double measured, double seen, double measured_sd, double seen_sd) {
-  return std::abs(measured - seen) > kFar * std::hypot(measured_sd, seen_sd);
+  return std::abs(measured - seen) > kContradictionSds * std::hypot(measured_sd, seen_sd);
 }
 
 /// Steps and bodies as a fitted curve measures them.
@@ -219,10 +219,11 @@ std::vector<KnownShape> known_shapes(const std::vector<Press>& presses, const Fa
   const bool any_body = std::any_of(presses.begin(), presses.end(),
                                     [](const Press& press) { return press.body.has_value(); });
   if (!any_depth && !any_body && shapes.empty()) return shapes;
-  const auto alone = solve_balls_alone(found, settings, job);
+  const auto alone = solve_balls_alone(found, settings, Job(job, 0, 0.5));
   if (!alone) return shapes;
-  for (KnownShape& body : find_bodies(presses, face, area, alone->choice.fit.curve,
-                                      alone->choice.options.along, job, &calibration->left_out))
+  for (KnownShape& body :
+       find_bodies(presses, face, area, alone->choice.fit.curve, alone->choice.options.along,
+                   Job(job, 0.5, 1), &calibration->left_out))
     shapes.push_back(std::move(body));
   if (alone->covariance.size() == 0) return shapes;
   drop_depths(*alone, found, &calibration->left_out);
@@ -362,7 +363,7 @@ std::optional<LightSpreadFit> seen_light_spread(const std::vector<FoundBall>& fo
       (settings.family == FamilyChoice::kAuto || settings.family == FamilyChoice::kMoebius) &&
       (settings.along == AlongChoice::kAuto || settings.along == AlongChoice::kNormal);
   if (!is_allowed) return std::nullopt;
-  job.report(0.25, en::say("looking for light that spreads"));
+  job.report(0, en::say("looking for light that spreads"));
   std::vector<BallStart> balls;
   for (const FoundBall& one : found) balls.push_back({one.press, one.guess.centre_mm});
   auto fit = fit_light_spread(
@@ -474,7 +475,8 @@ JointFit fit_finely(std::vector<FoundBall>& found, const ModelChoice& choice, co
   for (const FoundBall& f : found) presses.push_back(&f.fine);
   JointOptions options = choice.options;
   options.watch = [&](int round, double change_mm, const JointFit& now) {
-    job.report(0.9, en::say("solving: round {}, unknowns change by {:.1e} mm", round, change_mm));
+    job.report(kModelKnown,
+               en::say("solving: round {}, unknowns change by {:.1e} mm", round, change_mm));
     if (!on_round) return;
     double residual_mm = 0;
     for (const double each_mm : quality_of(presses, now, with_inner_zone(options)).residual_mm)
@@ -517,12 +519,13 @@ Result<Calibration> solve_jointly(const std::vector<Press>& presses, std::vector
     set_unit_positions(part, &f.fine);
     set_unit_positions(part, &f.coarse);
   }
-  SpreadShapes in_spread_light(presses, face, job);
-  if (const auto spread = seen_light_spread(found, face, settings, job, in_spread_light))
+  const Job spread_job(job, kBallsFound, kSpreadKnown);
+  SpreadShapes in_spread_light(presses, face, spread_job);
+  if (const auto spread = seen_light_spread(found, face, settings, spread_job, in_spread_light))
     return solve_with_spread(presses, found, face, *spread, in_spread_light, job,
                              std::move(calibration));
-  const std::vector<KnownShape> shapes =
-      known_shapes(presses, face, part, settings, job, found, &calibration);
+  const std::vector<KnownShape> shapes = known_shapes(
+      presses, face, part, settings, Job(job, kSpreadKnown, kShapesKnown), found, &calibration);
   ChoiceInput coarse;
   coarse.max_rounds = settings.iterations;
   if (!shapes.empty()) coarse.shapes = &shapes;
@@ -530,10 +533,10 @@ Result<Calibration> solve_jointly(const std::vector<Press>& presses, std::vector
     coarse.presses.push_back(&f.coarse);
     coarse.centres_mm.push_back(f.guess.centre_mm);
   }
-  auto choice = choose_model(coarse, settings, job);
+  auto choice = choose_model(coarse, settings, Job(job, kShapesKnown, kModelKnown));
   if (!choice && job.stop_requested()) return stopped();
   if (!choice) return no_mapping(found, face);
-  job.report(0.9, en::say("solving all presses together"));
+  job.report(kModelKnown, en::say("solving all presses together"));
   choice->options.settled_mm = JointOptions{}.settled_mm;
   JointFit fit = fit_finely(found, *choice, job, on_round);
   if (settings.family == FamilyChoice::kAuto && settings.degree == 0 && !job.stop_requested() &&
@@ -542,7 +545,7 @@ Result<Calibration> solve_jointly(const std::vector<Press>& presses, std::vector
     // A polynomial that increases on the coarse samples may decrease on the fine ones.
     CalibrationSettings simple = settings;
     simple.family = FamilyChoice::kLayer;
-    if (auto safe = choose_model(coarse, simple, job)) {
+    if (auto safe = choose_model(coarse, simple, Job(job, kModelKnown, kModelKnown))) {
       safe->sentence = en::say("{}, because the {} does not increase on all samples",
                                safe->fit.curve.family().name(), fit.curve.family().name());
       choice = std::move(safe);
@@ -610,7 +613,8 @@ Result<Calibration> calibrate(const std::vector<Press>& presses, const Camera& c
       return calibrate_as_paper(presses, camera, face, job);
     Calibration calibration;
     std::vector<Message> unusable;
-    const std::vector<FoundBall> found = find_balls(presses, face, job, &unusable);
+    const std::vector<FoundBall> found =
+        find_balls(presses, face, Job(job, 0, kBallsFound), &unusable);
     if (found.empty()) return job.stop_requested() ? stopped() : no_press(presses, unusable);
     for (const Message& reason : unusable) calibration.left_out.push_back(en::say("{}.", reason));
     Result<Calibration> result =
@@ -652,14 +656,17 @@ std::vector<MethodRow> compare_methods(const std::vector<Press>& presses,
                                        const Camera& camera, const Face& face,
                                        const Calibration& joint, const Job& job) {
   std::vector<MethodRow> rows{row_of(CalibrationMethod::kJoint, joint, joint)};
+  double done = 0;
   for (const CalibrationMethod method :
        {CalibrationMethod::kPaper, CalibrationMethod::kCircle, CalibrationMethod::kCone}) {
     CalibrationSettings settings;
     settings.method = method;
     const bool is_paper = method == CalibrationMethod::kPaper;
-    const auto made = is_paper && !as_paper
-                          ? Result<Calibration>(as_paper.error())
-                          : calibrate(is_paper ? *as_paper : presses, camera, face, settings, job);
+    const Job section(job, done, done + 1.0 / 3);
+    done += 1.0 / 3;
+    const auto made = is_paper && !as_paper ? Result<Calibration>(as_paper.error())
+                                            : calibrate(is_paper ? *as_paper : presses, camera,
+                                                        face, settings, section);
     if (job.stop_requested()) break;
     if (made) {
       rows.push_back(row_of(method, *made, joint));

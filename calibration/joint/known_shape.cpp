@@ -42,7 +42,8 @@ std::vector<KnownShape> find_bodies(const std::vector<Press>& presses, const Fac
   std::vector<KnownShape> bodies;
   for (const Press& press : presses) {
     if (!press.body || job.stop_requested()) continue;
-    job.report(0.25, en::say("looking for the body in {}", press.name));
+    job.report(static_cast<double>(&press - presses.data()) / static_cast<double>(presses.size()),
+               en::say("looking for the body in {}", press.name));
     PressSamples samples = sample_for_body(press, face);
     set_unit_positions(area, &samples);
     auto body = find_body(press.name, std::move(samples), *press.body->shape, curve, along, job);

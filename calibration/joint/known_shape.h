@@ -43,6 +43,10 @@ struct KnownShape : std::variant<StepSamples, BodySamples> {
                                                   const MappingCurve& curve, MappingAlong along,
                                                   const Job& job, std::vector<Message>* left_out);
 
+/// A body whose scale differs from that of the balls by so many standard deviations contradicts
+/// them.
+constexpr double kContradictionSds = 4.0;
+
 /// The scale of depth that a curve has by one shape.
 struct ScaleReading {
   double scale = 1;           ///< depth read / true depth

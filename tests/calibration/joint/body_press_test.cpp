@@ -115,6 +115,19 @@ TEST(KnownBody, GivesTheScaleOfDepthInAnyPose) {
   }
 }
 
+TEST(KnownBody, DepthsOfZeroShowNothing) {
+  std::mt19937 random(5);
+  const MappingCurve start = curve(0.9);
+  const auto found = find_body("p", pressed_face(kBodies[1], 0.7, random),
+                               shape_of(kBodies[1].mesh()), start, MappingAlong::kNormal, {});
+  ASSERT_TRUE(found.ok()) << found.error().sentence();
+  const Eigen::VectorXd flat = Eigen::VectorXd::Zero(start.values().size());
+  const BodyReading reading = read_body(*found, start, flat.data(), MappingAlong::kNormal);
+  EXPECT_EQ(reading.sd, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(reading.factor, 1);
+  EXPECT_TRUE(reading.by_values.isZero());
+}
+
 TEST(KnownBody, DerivativeIsThatOfTheReading) {
   std::mt19937 random(5);
   const auto shape = shape_of(kBodies[1].mesh());
