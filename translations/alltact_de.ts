@@ -2745,6 +2745,22 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
 <context>
     <name>alltact::MappingPage</name>
     <message>
+        <source>Compare with other &amp;methods</source>
+        <translation>Mit anderen &amp;Verfahren vergleichen</translation>
+    </message>
+    <message>
+        <source>Calibrates with the same presses by the source paper's method and two others, for the report</source>
+        <translation>Kalibriert mit denselben Eindrücken nach dem Verfahren der Quellarbeit und zwei weiteren, für den Bericht</translation>
+    </message>
+    <message>
+        <source>Mean residual of the presses: %1 mm, by the source paper's method %2 mm. The report has all methods.</source>
+        <translation>Mittlere Abweichung der Eindrücke: %1 mm, nach dem Verfahren der Quellarbeit %2 mm. Der Bericht enthält alle Verfahren.</translation>
+    </message>
+    <message>
+        <source>The source paper's method finds no calibration with these presses. The report has all methods.</source>
+        <translation>Das Verfahren der Quellarbeit findet mit diesen Eindrücken keine Kalibrierung. Der Bericht enthält alle Verfahren.</translation>
+    </message>
+    <message>
         <source>&amp;Stop</source>
         <translation>&amp;Anhalten</translation>
     </message>
@@ -5710,6 +5726,10 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
 </context>
 <context>
     <name>alltact::en</name>
+    <message>
+        <source>stopped; the finger is unchanged</source>
+        <translation>angehalten; der Finger ist unverändert</translation>
+    </message>
     <message>
         <source>Most frames have no reading: {}. Try: checking the unit and the beginning of the gauge's times.</source>
         <translation>Die meisten Bilder haben keinen Messwert: {}. Abhilfe: Einheit und Beginn der Zeiten des Kraftmessers prüfen.</translation>

@@ -2733,6 +2733,22 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
 <context>
     <name>alltact::MappingPage</name>
     <message>
+        <source>Compare with other &amp;methods</source>
+        <translation>与其他方法比较(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Calibrates with the same presses by the source paper's method and two others, for the report</source>
+        <translation>用同样的按压按原论文的方法和另外两种方法标定，用于报告</translation>
+    </message>
+    <message>
+        <source>Mean residual of the presses: %1 mm, by the source paper's method %2 mm. The report has all methods.</source>
+        <translation>按压的平均残差：%1 mm，按原论文的方法为 %2 mm。报告包含所有方法。</translation>
+    </message>
+    <message>
+        <source>The source paper's method finds no calibration with these presses. The report has all methods.</source>
+        <translation>原论文的方法用这些按压得不到标定。报告包含所有方法。</translation>
+    </message>
+    <message>
         <source>&amp;Stop</source>
         <translation>停止(&amp;S)</translation>
     </message>
@@ -5671,6 +5687,10 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
 </context>
 <context>
     <name>alltact::en</name>
+    <message>
+        <source>stopped; the finger is unchanged</source>
+        <translation>已停止；手指未改变</translation>
+    </message>
     <message>
         <source>Most frames have no reading: {}. Try: checking the unit and the beginning of the gauge's times.</source>
         <translation>大多数帧没有读数：{}。建议：检查测力计时间的单位和起点。</translation>

@@ -4,6 +4,7 @@
 
 #include <QCoreApplication>
 #include <QMetaObject>
+#include <algorithm>
 #include <utility>
 
 namespace alltact {
@@ -86,7 +87,7 @@ std::optional<double> BackgroundWork::seconds_left() const {
 void BackgroundWork::look() {
   const auto at_end = shared_->at_end.take();
   if (auto progress = shared_->progress.take()) {
-    fraction_ = progress->fraction;
+    fraction_ = std::max(fraction_, progress->fraction);  // a bar never goes back
     what_ = std::move(progress->what);
   }
   if (!at_end) return Q_EMIT progressed();

@@ -109,7 +109,8 @@ Result<FingerCalibration> calibrate_as_asked(const CalibrateOptions& options, Co
     const auto inputs = inputs_again(options, console);
     if (!inputs) return inputs.error();
     return calibrate_finger_again(options.finger, *inputs, program_version(),
-                                  report_maker(options, console), console.job());
+                                  report_maker(options, console), options.compare_methods,
+                                  console.job());
   }
   FingerCalibrationInput input;
   input.folder = options.finger;
@@ -123,7 +124,7 @@ Result<FingerCalibration> calibrate_as_asked(const CalibrateOptions& options, Co
   input.date = options.date;
   input.program_version = program_version();
   input.make_report = report_maker(options, console);
-  input.compare_methods = true;
+  input.compare_methods = options.compare_methods;
   return calibrate_finger(input, console.job());
 }
 
@@ -201,6 +202,9 @@ void add_calibrate(CLI::App& program, Chosen& chosen) {
       ->allow_extra_args(false)
       ->take_all()
       ->needs(again);
+  command->add_flag("--compare", options->compare_methods,
+                    "Compares with other methods on the same presses, here and in the report, "
+                    "which takes longer than the calibration itself");
   SettingFlags<CalibrationSettings> calibration;
   calibration.add_to(*command, calibration_settings());
   SettingFlags<PipelineSettings> pipeline;

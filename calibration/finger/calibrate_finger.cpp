@@ -249,10 +249,15 @@ Result<FingerCalibration> run(CalibrationWork work, CalibrationInputs inputs, co
         en::say("only a flat sensor has a single untouched image"), work.untouched->origin,
         en::say("leaving --reference out; this finger is compared with its reference recording")};
   }
-  if (const Status status = take_presses(work, done, job); !status) return status.error();
+  constexpr double kMeasured = 0.3, kSolved = 0.95;  // parts of the time, roughly
+  if (const Status status = take_presses(work, done, Job(job, 0, kMeasured)); !status)
+    return status.error();
   MeasureAsPaper as_paper;
-  if (work.compare_methods) as_paper = [&] { return take_presses_as_paper(work, done, job); };
-  if (const Status status = solve_presses(done, as_paper, job, work.on_round); !status) {
+  if (work.compare_methods)
+    as_paper = [&](const Job& section) { return take_presses_as_paper(work, done, section); };
+  if (const Status status =
+          solve_presses(done, as_paper, Job(job, kMeasured, kSolved), work.on_round);
+      !status) {
     if (job.stop_requested()) return status.error();
     Error refused = status.error();
     const fs::path image = leave_press_problem(work.store->folder(), done, refused.what.english());
@@ -260,6 +265,8 @@ Result<FingerCalibration> run(CalibrationWork work, CalibrationInputs inputs, co
       refused.advice = en::clauses({refused.advice, en::say("{} shows what was found", image)});
     return refused;
   }
+  if (work.discard_if_stopped && job.stop_requested())
+    return Error{en::say("stopped; the finger is unchanged"), "", ""};
   if (const Status status = write(work, done, job); !status) return status.error();
   done.problem_image = leave_press_problem(work.store->folder(), done, "");
   job.report(1.0, en::say("done"));
@@ -286,7 +293,8 @@ Result<FingerCalibration> calibrate_finger(const FingerCalibrationInput& input, 
     work.untouched = std::move(untouched).value();
   }
   work.make_report = input.make_report;
-  work.compare_methods = input.compare_methods || input.make_report;
+  work.compare_methods = input.compare_methods;
+  work.discard_if_stopped = input.discard_if_stopped;
   work.on_round = input.on_round;
   CalibrationInputs inputs;
   inputs.program_version = input.program_version;
@@ -299,13 +307,14 @@ Result<FingerCalibration> calibrate_finger(const FingerCalibrationInput& input, 
 
 Result<FingerCalibration> calibrate_finger_again(const fs::path& folder, CalibrationInputs inputs,
                                                  const std::string& program_version,
-                                                 const MakeReport& make_report, const Job& job) {
+                                                 const MakeReport& make_report,
+                                                 bool compare_methods, const Job& job) {
   auto stored = CalibrationInputs::load(folder);
   if (!stored) return stored.error();
   CalibrationWork work;
   work.store = FingerStore::of(folder);
   work.make_report = make_report;
-  work.compare_methods = make_report != nullptr;
+  work.compare_methods = compare_methods;
   for (const StoredPress& press : stored->presses)
     work.presses.files.push_back(stored_press_file(folder, press.name));
   work.stored = std::move(stored).value();

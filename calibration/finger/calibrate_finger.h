@@ -42,12 +42,12 @@ struct FingerCalibration {
   Calibration calibration;
   std::vector<PressResiduals> residuals;
   std::vector<ZoneError> zones;
-  std::vector<MethodRow> methods;  ///< for the reports; empty without, or with another method
-  double pixel_mm = 0;             ///< see press_errors.h
-  double pixel_sd_mm = 0;          ///< standard deviation, without the mapping's share
-  Halo halo;                       ///< light that scatters sideways
-  int failed_presses = 0;          ///< without a detected ball, or without a fit
-  bool is_complete = true;         ///< false: stopped before the solution had settled
+  std::vector<MethodRow> methods;             ///< compared, for the reports; may be empty
+  double pixel_mm = 0;                        ///< see press_errors.h
+  double pixel_sd_mm = 0;                     ///< standard deviation, without the mapping's share
+  Halo halo;                                  ///< light that scatters sideways
+  int failed_presses = 0;                     ///< without a detected ball, or without a fit
+  bool is_complete = true;                    ///< false: stopped before the solution had settled
   std::vector<Contradiction> contradictions;  ///< between numbers given and presses
   Verdict verdict;
   std::vector<Message> fault_signs;     ///< see calibration_faults.h
@@ -76,9 +76,10 @@ struct FingerCalibrationInput {
   std::string date;             ///< for the record, as utc_now() writes it; empty: now
   std::string program_version;  ///< for the record
   MakeReport make_report;       ///< empty: calibration_report.json alone
-  /// Compares with other methods, which make_report does in any case.
+  /// Compares with other methods, for the reports: takes longer than the calibration itself.
   bool compare_methods = false;
-  RoundListener on_round;  ///< of the calibration itself, see calibrate(); may be empty
+  bool discard_if_stopped = false;  ///< instead of storing the best solution so far
+  RoundListener on_round;           ///< of the calibration itself, see calibrate(); may be empty
 };
 
 /// Runs every press through the pipeline, calibrates, and writes into the finger's folder: the
@@ -104,6 +105,7 @@ struct FingerCalibrationInput {
                                                                CalibrationInputs inputs,
                                                                const std::string& program_version,
                                                                const MakeReport& make_report,
+                                                               bool compare_methods,
                                                                const Job& job);
 
 /// Copies the fields that a calibration defines: the mapping and its records.

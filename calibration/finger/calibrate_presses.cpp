@@ -165,8 +165,7 @@ Status measure_presses(CalibrationWork& work, PressMeter& meter, FingerCalibrati
     if (const Status status = check_stored(work, *frame, work.frames.size()); !status)
       return status;
     if (count > 0)
-      job.report(0.5 * static_cast<double>(names.size() - 1) / count,
-                 en::say("reading {}", frame->name));
+      job.report(static_cast<double>(names.size() - 1) / count, en::say("reading {}", frame->name));
     const auto measured = done.inputs.is_continuous ? meter.next(frame) : meter(frame, job);
     if (!measured) return measured.error();
     done.presses.push_back(**measured);
@@ -257,22 +256,23 @@ Result<std::vector<Press>> take_presses_as_paper(const CalibrationWork& work,
                                                  const FingerCalibration& done, const Job& job) {
   const auto full = FingerSnapshot::of(work.store->folder(), done.finger);
   if (!full) return full.error();
-  auto method = paper_method_of(work, full->without_mapping(), job);
+  auto method = paper_method_of(work, full->without_mapping(), Job(job, 0, 0.9));
   if (!method) return method.error();
-  return paper_presses(*method, work.frames, done.inputs.press_set, job);
+  return paper_presses(*method, work.frames, done.inputs.press_set, Job(job, 0.9, 1));
 }
 
 Status take_presses(CalibrationWork& work, FingerCalibration& done, const Job& job) {
   const auto checksum = work.untouched ? Result<std::string>(image_checksum(work.untouched->grey))
                                        : reference_checksum(work.store->folder(), done.finger);
-  auto pipeline = make_pipeline(work, done, job);
+  auto pipeline = make_pipeline(work, done, Job(job, 0, 0.6));
   if (!pipeline) return pipeline.error();
   if (!checksum) return checksum.error();
   done.inputs.reference_checksum = *checksum;
   // The source paper's method measures other presses from the same images.
   const bool is_paper = done.inputs.calibration.method == CalibrationMethod::kPaper;
   PressMeter meter(std::move(pipeline).value(), is_paper ? std::string() : *checksum);
-  if (const Status status = measure_presses(work, meter, done, job); !status) return status;
+  if (const Status status = measure_presses(work, meter, done, Job(job, 0.6, 1)); !status)
+    return status;
   return check_names(done);
 }
 
@@ -347,11 +347,13 @@ Status solve_presses(FingerCalibration& done, const MeasureAsPaper& as_paper, co
   if (used.empty())
     return Error{en::clauses({en::say("no press can be used"), en::clauses(left_out)}), "",
                  en::say("images of this finger with a ball pressed into its face")};
-  job.report(0.5, en::say("solving"));
+  const bool compares = as_paper && done.inputs.calibration.method == CalibrationMethod::kJoint;
+  const double by_solving = compares ? 0.5 : 1.0;  // part of the time
+  job.report(0, en::say("solving"));
   const auto camera = Camera::create(done.finger.camera);
   if (!camera) return camera.error();
-  auto calibration =
-      calibrate(used, *camera, done.finger.face, done.inputs.calibration, job, on_round);
+  auto calibration = calibrate(used, *camera, done.finger.face, done.inputs.calibration,
+                               Job(job, 0, by_solving), on_round);
   if (!calibration) return calibration.error();
   done.calibration = std::move(calibration).value();
   done.is_complete = !job.stop_requested();
@@ -410,11 +412,10 @@ Status solve_presses(FingerCalibration& done, const MeasureAsPaper& as_paper, co
   CalibrationEvidence evidence = evidence_of(solved);
   evidence.reference_is_newer = false;  // this calibration is made now
   done.verdict = verdict(evidence);
-  if (as_paper && done.inputs.calibration.method == CalibrationMethod::kJoint &&
-      !job.stop_requested()) {
-    job.report(0.9, en::say("comparing with other methods"));
-    done.methods =
-        compare_methods(used, as_paper(), *camera, done.finger.face, done.calibration, job);
+  if (compares && !job.stop_requested()) {
+    job.report(by_solving, en::say("comparing with other methods"));
+    done.methods = compare_methods(used, as_paper(Job(job, by_solving, 0.8)), *camera,
+                                   done.finger.face, done.calibration, Job(job, 0.8, 1));
   }
   return {};
 }

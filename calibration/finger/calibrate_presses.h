@@ -26,7 +26,7 @@ struct CalibrationWork {
   std::optional<UntouchedImage> untouched;  ///< of a flat sensor: to be installed
   std::optional<CalibrationInputs> stored;  ///< repetition: the presses must be these; else empty
   MakeReport make_report;
-  bool compare_methods = false;
+  bool compare_methods = false, discard_if_stopped = false;
   RoundListener on_round;
   std::vector<FramePtr> frames;  ///< one a press, in their stored form
 };
@@ -72,7 +72,7 @@ class PressMeter {
 
 // The second part of a calibration: from measured presses to a mapping and its quality.
 
-using MeasureAsPaper = std::function<Result<std::vector<Press>>()>;
+using MeasureAsPaper = std::function<Result<std::vector<Press>>(const Job&)>;
 
 /// Calibrates with the presses of `done` that are not left out, and fills its residuals, zones,
 /// signs of a fault, verdict and remarks. The presses' references are released. `as_paper`: the

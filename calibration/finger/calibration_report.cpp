@@ -194,6 +194,7 @@ std::string calibrate_command(const FingerCalibrationInput& input) {
   add_settings(input.pipeline, PipelineSettings{}, pipeline_settings(), &command);
   if (!input.press_set.operator_name.empty()) add("operator", input.press_set.operator_name);
   if (!input.date.empty()) add("date", input.date);
+  if (input.compare_methods) command += " --compare";
   return command;
 }
 

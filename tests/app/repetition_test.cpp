@@ -68,6 +68,23 @@ TEST_F(Repetition, GivesTheSameBytes) {
   for (const auto& [name, bytes] : second) EXPECT_TRUE(kept(name) == bytes) << name;
 }
 
+TEST_F(Repetition, ComparesWithOtherMethodsWhereAsked) {
+  const auto methods = [&] {
+    const auto report = nlohmann::json::parse(kept("calibration_report.json"));
+    return report.contains("methods") ? report.at("methods").size() : 0;
+  };
+  EXPECT_EQ(methods(), 0U);
+  const auto before = contents_of(flat_.finger());
+  const ProgramRun run = again({"--compare"});
+  ASSERT_EQ(run.status, 0) << run.errors;
+  EXPECT_EQ(methods(), 4U);
+  EXPECT_THAT(run.output, HasSubstr("all methods, same presses"));
+  for (const auto& [name, bytes] : before)
+    if (!name.starts_with("calibration_report")) {
+      EXPECT_EQ(kept(name), bytes) << name;
+    }
+}
+
 TEST_F(Repetition, KnowsWhichPressWasMadeWithAnotherBall) {
   const ProgramRun other = again({"--other-ball", "press_2=4.2"});
   ASSERT_EQ(other.status, 0) << other.errors;

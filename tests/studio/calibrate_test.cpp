@@ -232,6 +232,36 @@ TEST(Calibrate, GivesTheSameBytesAsTheCommandThatItCopies) {
   EXPECT_THAT(command, HasSubstr("--operator 'Ada Lovelace'"));
 }
 
+TEST(Calibrate, ComparesWithOtherMethodsWhereAsked) {
+  CalibrateStudio rig(4);
+  rig.open();
+  rig.go_to_step("Presses");
+  rig.type_radius("4");
+  ASSERT_TRUE(rig.wait_until_looked_at(4));
+  rig.go_to_step("Mapping");
+  rig.studio().click("Calibrate now");
+  ASSERT_TRUE(wait_until([&] { return rig.run().result() != nullptr; }, 60000));
+  ASSERT_TRUE(rig.wait_for_report());
+  EXPECT_TRUE(rig.run().result()->methods.empty());
+  const int steps = rig.studio().window().undo_stack().count();
+  const auto before = contents(rig.finger());
+  // Stopped, it changes nothing.
+  rig.studio().click("Compare with other methods");
+  rig.run().stop();
+  ASSERT_TRUE(wait_until([&] { return !rig.run().is_running(); }, 60000));
+  EXPECT_TRUE(contents(rig.finger()) == before);
+  rig.studio().click("Compare with other methods");
+  ASSERT_TRUE(wait_until([&] { return !rig.run().is_running(); }, 60000));
+  ASSERT_TRUE(rig.wait_for_report());
+  EXPECT_EQ(rig.run().result()->methods.size(), 4U);
+  EXPECT_TRUE(says(rig.studio(), "The report has all methods"));
+  EXPECT_THAT(rig.run().command_line().toStdString(), HasSubstr("--compare"));
+  EXPECT_EQ(rig.studio().window().undo_stack().count(), steps);
+  const auto after = contents(rig.finger());
+  for (const auto& [name, bytes] : before)
+    EXPECT_EQ(after.at(name) == bytes, !name.starts_with("calibration_report")) << name;
+}
+
 TEST(Calibrate, TakingOutAPressShowsAsAChangeAndEverythingCanBeUndone) {
   CalibrateStudio rig(4);
   rig.open();

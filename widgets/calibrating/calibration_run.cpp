@@ -178,13 +178,16 @@ FingerCalibrationInput CalibrationRun::input_for(const PressSet& press_set) cons
   return input;
 }
 
+FingerCalibrationInput CalibrationRun::stored_input() const {
+  FingerCalibrationInput input = input_for(now_.inputs->press_set);
+  input.date = now_.inputs->date;
+  input.compare_methods = now_.result && !now_.result->methods.empty();
+  return input;
+}
+
 QString CalibrationRun::command_line() const {
-  FingerCalibrationInput input = input_for(collection_.press_set());
-  if (state() == CalibrationState::kCurrent) {
-    input = input_for(now_.inputs->press_set);
-    input.date = now_.inputs->date;
-  }
-  return QString::fromStdString(calibrate_command(input));
+  return QString::fromStdString(calibrate_command(
+      state() == CalibrationState::kCurrent ? stored_input() : input_for(collection_.press_set())));
 }
 
 CalibrationInputs CalibrationRun::next_inputs() const {
@@ -202,11 +205,21 @@ void CalibrationRun::take(const Outcome& made) {
 }
 
 void CalibrationRun::start() {
-  if (is_running()) return;
-  report_.stop();
   FingerCalibrationInput input = input_for(collection_.press_set());
   input.date = utc_now();
-  input.compare_methods = true;
+  run(std::move(input));
+}
+
+void CalibrationRun::compare() {
+  if (!can_compare()) return;
+  FingerCalibrationInput input = stored_input();
+  input.compare_methods = input.discard_if_stopped = true;
+  run(std::move(input));
+}
+
+void CalibrationRun::run(FingerCalibrationInput input) {
+  if (is_running()) return;
+  report_.stop();
   // Presses without a frame in memory are read from their files.
   const auto& presses = collection_.presses();
   if (std::all_of(presses.begin(), presses.end(),
@@ -234,8 +247,8 @@ void CalibrationRun::start() {
       done->after.finger = *finger;
       done->after.worth = worth_of(**finger, utc_now());
     }
-    return std::function<void()>([this, done, folder = input.folder] {
-      if (folder != collection_.folder()) return;
+    return std::function<void()>([this, done, input] {
+      if (input.folder != collection_.folder()) return;
       if (!*done->result) {
         problem_ = done->result->error();
         return;
@@ -245,8 +258,9 @@ void CalibrationRun::start() {
       done->after.inputs = result->inputs;
       take(done->after);
       has_report_ = false;
-      undo_.push(new Undo(*this, std::move(done->files), done->before, done->after));
-      report_.start(result, folder);
+      if (!input.compare_methods)  // which adds to the report alone
+        undo_.push(new Undo(*this, std::move(done->files), done->before, done->after));
+      report_.start(result, input.folder);
     });
   });
   Q_EMIT changed();

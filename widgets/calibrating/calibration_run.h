@@ -33,7 +33,14 @@ class CalibrationRun : public QObject {
   void reload();
   /// Calibrates on a background thread. Adds an undo step when done; does nothing while it runs.
   void start();
-  /// Stops the run and takes its best solution so far, where there is one.
+  /// Compares the current calibration with other methods, for result()->methods and the report.
+  void compare();
+  [[nodiscard]] bool can_compare() const {
+    return can_start() && state() == CalibrationState::kCurrent &&
+           now_.inputs->calibration.method == CalibrationMethod::kJoint;
+  }
+  /// Stops the run and takes its best solution so far, where there is one; a comparison is
+  /// discarded.
   void stop();
   [[nodiscard]] bool is_running() const { return work_.is_running(); }
   [[nodiscard]] const BackgroundWork& work() const { return work_; }
@@ -79,6 +86,9 @@ class CalibrationRun : public QObject {
     std::optional<FingerWorth> worth;
   };
   [[nodiscard]] FingerCalibrationInput input_for(const PressSet& press_set) const;
+  /// Of the calibration in the finger's folder.
+  [[nodiscard]] FingerCalibrationInput stored_input() const;
+  void run(FingerCalibrationInput input);
   void take(const Outcome& made);
   /// Writes `files` on the disk's thread; `replaced` receives those that were there.
   void restore(std::shared_ptr<Files> files, bool has_report, const Outcome& made,

@@ -8,6 +8,7 @@
 #include <QHBoxLayout>
 #include <QLocale>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 
 namespace alltact {
@@ -20,6 +21,7 @@ MappingPage::MappingPage(PressCollection& collection, CalibrationRun& run, Press
       forecast_(forecast),
       problems_(new ProblemList),
       calibrate_(new QPushButton),
+      compare_(new QPushButton),
       stop_(new QPushButton),
       bar_(new QProgressBar),
       progress_(wrapped_text()),
@@ -42,6 +44,7 @@ MappingPage::MappingPage(PressCollection& collection, CalibrationRun& run, Press
   auto* row = new QHBoxLayout;
   calibrate_->setMinimumWidth(160);
   row->addWidget(calibrate_);
+  row->addWidget(compare_);
   row->addWidget(bar_, 1);
   row->addWidget(stop_);
   row->addWidget(progress_, 2);
@@ -69,6 +72,7 @@ MappingPage::MappingPage(PressCollection& collection, CalibrationRun& run, Press
   column->addWidget(figures_, 1);
   column->addWidget(drawing_, 1);
   connect(calibrate_, &QPushButton::clicked, &run_, &CalibrationRun::start);
+  connect(compare_, &QPushButton::clicked, &run_, &CalibrationRun::compare);
   connect(stop_, &QPushButton::clicked, &run_, &CalibrationRun::stop);
   connect(&run_, &CalibrationRun::changed, this, &MappingPage::show_status);
   connect(&forecast_, &PressForecast::changed, this, [this] {
@@ -78,6 +82,10 @@ MappingPage::MappingPage(PressCollection& collection, CalibrationRun& run, Press
   connect_chosen();
   say([this] {
     show_press_->setText(tr("S&how this press"));
+    compare_->setText(tr("Compare with other &methods"));
+    compare_->setToolTip(
+        tr("Calibrates with the same presses by the source paper's method and two others, for the "
+           "report"));
     stop_->setText(tr("&Stop"));
     stop_->setToolTip(tr("Retains the best solution so far"));
     log_->setAccessibleName(tr("Calibration log"));
@@ -150,6 +158,7 @@ QString MappingPage::missing() const {
 
 void MappingPage::show_status() {
   const bool is_running = run_.is_running();
+  compare_->setVisible(run_.can_compare());
   bar_->setVisible(is_running);
   stop_->setVisible(is_running);
   calibrate_->setEnabled(!is_running && collection_.usable_count() > 0);
@@ -176,10 +185,28 @@ void MappingPage::show_progress() {
     progress = recalibration_reason(run_) + QLatin1Char(' ') + forecast_text(forecast_, run_);
   } else if (run_.state() == CalibrationState::kCurrent && !run_.result()) {
     progress = tr("This finger is calibrated. Calibrate again to show the figures.");
+  } else if (run_.state() == CalibrationState::kCurrent) {
+    progress = comparison();
   } else if (run_.state() == CalibrationState::kNone) {
     progress = forecast_text(forecast_, run_);
   }
   progress_->setText(progress);
+}
+
+/// The comparison with other methods, where it was made.
+QString MappingPage::comparison() const {
+  const auto& rows = run_.result()->methods;
+  const auto paper = std::find_if(rows.begin(), rows.end(), [](const MethodRow& row) {
+    return row.method == CalibrationMethod::kPaper;
+  });
+  if (paper == rows.end()) return {};
+  if (!paper->failed.empty())
+    return tr(
+        "The source paper's method finds no calibration with these presses. The report has "
+        "all methods.");
+  return tr("Mean residual of the presses: %1 mm, by the source paper's method %2 mm. The report "
+            "has all methods.")
+      .arg(local_mm(run_.result()->calibration.residual_mm, 3), local_mm(paper->residual_mm, 3));
 }
 
 void MappingPage::showEvent(QShowEvent* event) {

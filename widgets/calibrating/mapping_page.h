@@ -41,6 +41,7 @@ class MappingPage : public StepPage {
 
  private:
   void show_progress();
+  [[nodiscard]] QString comparison() const;
   void show_figures();
   void show_text();
   void connect_chosen();
@@ -53,7 +54,7 @@ class MappingPage : public StepPage {
   CalibrationRun& run_;
   PressForecast& forecast_;
   ProblemList* problems_;
-  QPushButton *calibrate_, *stop_;
+  QPushButton *calibrate_, *compare_, *stop_;
   QProgressBar* bar_;
   QLabel *progress_, *text_;
   QWidget* running_;  // visible while a calibration runs

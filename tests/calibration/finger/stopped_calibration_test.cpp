@@ -42,6 +42,20 @@ Stopped calibrate_until(const FlatFinger& flat, int count) {
   return {std::move(result), reports};
 }
 
+TEST(CalibrationProgress, NeverGoesBack) {
+  const FlatFinger flat;
+  ASSERT_EQ(flat.make().status, 0);
+  FingerCalibrationInput input = flat_calibration(flat);
+  input.make_report = one_page;
+  input.compare_methods = true;
+  std::vector<double> fractions;
+  const Job job([&](double fraction, const Message&) { fractions.push_back(fraction); });
+  ASSERT_TRUE(calibrate_finger(input, job).ok());
+  EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
+  EXPECT_GE(fractions.front(), 0);
+  EXPECT_EQ(fractions.back(), 1);
+}
+
 TEST(StoppedCalibration, LeavesTheBestSoFarOrTheFingerAsItWas) {
   const FlatFinger flat;
   ASSERT_EQ(flat.make().status, 0);
@@ -74,8 +88,9 @@ TEST(StoppedCalibration, LeavesTheBestSoFarOrTheFingerAsItWas) {
     EXPECT_FALSE(fs::exists(fs::path(flat.finger()) / kPage)) << "a page about nothing: " << count;
     // What is missing is completed from what is kept.
     if (solved != 1) continue;
-    const auto again = calibrate_finger_again(
-        flat.finger(), CalibrationInputs::load(flat.finger()).value(), "0.1.0", one_page, Job());
+    const auto again =
+        calibrate_finger_again(flat.finger(), CalibrationInputs::load(flat.finger()).value(),
+                               "0.1.0", one_page, false, Job());
     ASSERT_TRUE(again.ok()) << again.error().sentence();
     EXPECT_EQ(again->calibration.residual_mm, full);
     EXPECT_TRUE(fs::exists(fs::path(flat.finger()) / kPage));
