@@ -17,6 +17,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,6 +34,7 @@ struct MeasuredPress {
   PressSign sign;
   std::optional<Reference> reference = std::nullopt;  ///< until it is solved: compared with this
   std::optional<FaceShape> shape = std::nullopt;      ///< of a face where `press` is empty
+  std::string key = {};                               ///< of all it depends on; empty: unknown
 };
 
 struct FingerCalibration {
@@ -40,6 +42,9 @@ struct FingerCalibration {
   CalibrationInputs inputs;
   std::vector<MeasuredPress> presses;  ///< all that were given, without their references
   Calibration calibration;
+  /// As it was solved, before remarks of this list: whoever solves the same shares it. Null where
+  /// it was stopped, or read from a file.
+  std::shared_ptr<const Calibration> solution;
   std::vector<PressResiduals> residuals;
   std::vector<ZoneError> zones;
   std::vector<MethodRow> methods;             ///< compared, for the reports; may be empty

@@ -11,12 +11,16 @@
 #include "core/base/cache.h"
 #include "core/base/typed_number.h"
 #include "core/image/image_file.h"
+#include "core/mesh/mesh_distance.h"
+#include "core/numerics/checksum.h"
 #include "core/sensing/pipeline.h"
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <optional>
 #include <set>
 
 #include <fmt/format.h>
@@ -234,22 +238,26 @@ std::int64_t press_measurements() { return measurements; }
 PressMeter::PressMeter(Pipeline pipeline, const std::string& reference_checksum)
     : pipeline_(std::move(pipeline)), key_(key_of(pipeline_, reference_checksum)) {}
 
-PressMeter::Measured PressMeter::next(const FramePtr& frame) {
+PressMeter::Measured PressMeter::measure(const FramePtr& frame, std::string key) {
   ++measurements;
   auto result = pipeline_(frame);
   if (!result) return result.error();
-  return std::make_shared<const MeasuredPress>(press_of(frame->name, *result));
+  MeasuredPress press = press_of(frame->name, *result);
+  press.key = std::move(key);
+  return std::make_shared<const MeasuredPress>(std::move(press));
 }
 
+PressMeter::Measured PressMeter::next(const FramePtr& frame) { return measure(frame, {}); }
+
 PressMeter::Measured PressMeter::operator()(const FramePtr& frame, const Job& job) {
-  const auto measure = [&] {
+  const auto alone = [&](const std::string& key) {
     pipeline_.forget();
-    return next(frame);
+    return measure(frame, key);
   };
-  if (key_.empty()) return measure();
+  if (key_.empty()) return alone({});
   static SharedValues<MeasuredPress> shared;
-  return shared.get(fmt::format("{}\n{}\n{}", image_checksum(frame->grey), frame->name, key_), job,
-                    stopped(), measure);
+  const std::string key = fmt::format("{}\n{}\n{}", image_checksum(frame->grey), frame->name, key_);
+  return shared.get(key, job, stopped(), [&] { return alone(key); });
 }
 
 Result<std::vector<Press>> take_presses_as_paper(const CalibrationWork& work,
@@ -325,6 +333,56 @@ MappingRecord record_of(const FingerCalibration& done) {
   return record;
 }
 
+namespace {
+
+std::string checksum_of(const TriangleMesh& mesh) {
+  Checksum checksum;
+  for (const Eigen::Vector3d& point : mesh.points) checksum.add(point.data(), sizeof point);
+  for (const auto& corners : mesh.triangles) checksum.add(corners.data(), sizeof corners);
+  return checksum.text();
+}
+
+/// All that a solution depends on. Empty: unknown.
+std::string solution_key(const FingerCalibration& done) {
+  std::string key = done.inputs.press_set.to_yaml();
+  for (const Setting<CalibrationSettings>& setting : calibration_settings())
+    key += fmt::format("{}: {}\n", setting.name, setting.get(done.inputs.calibration));
+  for (const MeasuredPress& press : done.presses) {
+    if (!press.left_out.empty()) continue;
+    if (press.key.empty()) return {};
+    key += press.key + '\n';
+    if (press.press->body) key += checksum_of(press.press->body->shape->mesh()) + '\n';
+  }
+  return key;
+}
+
+/// Sets solution, calibration and is_complete. `used`: the presses that are not left out.
+Status solve(FingerCalibration& done, const std::vector<Press>& used, const Camera& camera,
+             const Job& job, const RoundListener& on_round) {
+  std::optional<Calibration> stopped_early;
+  const auto make = [&]() -> Result<std::shared_ptr<const Calibration>> {
+    auto made = calibrate(used, camera, done.finger.face, done.inputs.calibration, job, on_round);
+    if (!made) return made.error();
+    if (!job.stop_requested()) return std::make_shared<const Calibration>(std::move(*made));
+    stopped_early = std::move(*made);  // which nobody shares
+    return stopped();
+  };
+  static SharedValues<Calibration> shared;
+  const std::string key = solution_key(done);
+  const auto solution = key.empty() ? make() : shared.get(key, job, stopped(), make);
+  done.is_complete = !stopped_early;
+  if (!done.is_complete) {
+    done.calibration = std::move(*stopped_early);
+    return {};
+  }
+  if (!solution) return solution.error();
+  done.solution = *solution;
+  done.calibration = *done.solution;
+  return {};
+}
+
+}  // namespace
+
 Status solve_presses(FingerCalibration& done, const MeasureAsPaper& as_paper, const Job& job,
                      const RoundListener& on_round) {
   leave_out_beyond(done.inputs.calibration.presses, done.presses);
@@ -352,11 +410,8 @@ Status solve_presses(FingerCalibration& done, const MeasureAsPaper& as_paper, co
   job.report(0, en::say("solving"));
   const auto camera = Camera::create(done.finger.camera);
   if (!camera) return camera.error();
-  auto calibration = calibrate(used, *camera, done.finger.face, done.inputs.calibration,
-                               Job(job, 0, by_solving), on_round);
-  if (!calibration) return calibration.error();
-  done.calibration = std::move(calibration).value();
-  done.is_complete = !job.stop_requested();
+  if (const Status solved = solve(done, used, *camera, Job(job, 0, by_solving), on_round); !solved)
+    return solved;
   done.failed_presses =
       static_cast<int>(done.calibration.left_out.size() +
                        static_cast<std::size_t>(

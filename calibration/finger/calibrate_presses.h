@@ -50,6 +50,8 @@ class PressMeter {
   [[nodiscard]] const Pipeline& pipeline() const { return pipeline_; }
 
  private:
+  Measured measure(const FramePtr& frame, std::string key);
+
   Pipeline pipeline_;
   std::string key_;  ///< of all but the frame; empty: not shared
 };
@@ -75,7 +77,9 @@ class PressMeter {
 using MeasureAsPaper = std::function<Result<std::vector<Press>>(const Job&)>;
 
 /// Calibrates with the presses of `done` that are not left out, and fills its residuals, zones,
-/// signs of a fault, verdict and remarks. The presses' references are released. `as_paper`: the
+/// signs of a fault, verdict and remarks. The same presses, notes and settings are solved once: as
+/// long as anybody in this program holds that solution, it is used again. The presses' references
+/// are released. `as_paper`: the
 /// same presses measured by the source paper's method; called only for a comparison of methods.
 /// `on_round`: see calibrate(). Errors: no usable press; those of calibrate(); a method that does
 /// not support the notes on the presses.

@@ -320,7 +320,7 @@ PressForecast::Presses PressForecast::present() const {
 }
 
 bool PressForecast::is_needed() const {
-  if (!collection_.is_ready() || collection_.analyser() == nullptr || run_.is_running() ||
+  if (!collection_.is_ready() || collection_.analyser() == nullptr ||
       run_.state() == CalibrationState::kCurrent)
     return false;
   return std::any_of(collection_.presses().begin(), collection_.presses().end(),
@@ -342,12 +342,14 @@ void PressForecast::follow() {
     if (was_known) Q_EMIT changed();
   }
   if (!is_needed_now) return delay_.stop();
-  if (is_watched_ && requested_ == Presses() && !collection_.is_analysing() && !work_.is_running())
+  // A run that starts takes the forecast's solution; one that began later would only wait for it.
+  if (is_watched_ && requested_ == Presses() && !collection_.is_analysing() &&
+      !work_.is_running() && !run_.is_running())
     delay_.start();  // restarts with every change
 }
 
 void PressForecast::begin() {
-  if (work_.is_running() || !is_needed() || collection_.is_analysing()) return;
+  if (work_.is_running() || run_.is_running() || !is_needed() || collection_.is_analysing()) return;
   requested_ = present();
   work_.start([this, requested = requested_, inputs = run_.next_inputs(),
                finger = collection_.analyser()->finger(),

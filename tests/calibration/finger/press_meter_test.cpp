@@ -3,6 +3,9 @@
 #include "core/sources/file_source.h"
 #include "tests/support/flat_calibration.h"
 
+#include <functional>
+#include <memory>
+
 #include <gtest/gtest.h>
 
 namespace alltact {
@@ -68,6 +71,25 @@ TEST_F(PressMeters, MeasureAgainWhereAnythingDiffers) {
   EXPECT_EQ(made_for(meter("reference"), brighter), 1);
   finger_->finger.face.layer_mm += 0.1;
   EXPECT_EQ(made_for(meter("reference"), frame_), 1);
+}
+
+TEST_F(PressMeters, SolveTheSamePressesOnce) {
+  const auto solved = [&](double radius_mm,
+                          const std::function<void(CalibrationSettings&)>& change = {}) {
+    FingerCalibrationInput input = flat_calibration(flat_);
+    input.press_set.ball_radius_mm = radius_mm;
+    if (change) change(input.calibration);
+    return calibrate_finger(input, Job()).value().solution;
+  };
+  const double radius_mm = flat_calibration(flat_).press_set.ball_radius_mm;
+  auto held = solved(radius_mm);
+  ASSERT_TRUE(held);
+  EXPECT_EQ(solved(radius_mm), held);
+  EXPECT_NE(solved(radius_mm + 0.01), held) << "of another ball";
+  EXPECT_NE(solved(radius_mm, [](CalibrationSettings& how) { how.degree = 2; }), held);
+  const std::weak_ptr<const Calibration> released = held;
+  held.reset();
+  EXPECT_TRUE(released.expired());
 }
 
 TEST_F(PressMeters, DoNotShareThePressesOfOneVideo) {

@@ -30,14 +30,18 @@ TEST_F(MeasuredOnce, FromTheDeskToTheReport) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return forecast.result() != nullptr; }, 60000))
       << (forecast.problem() ? forecast.problem()->sentence() : "");
   EXPECT_EQ(measured(), 3);
+  const std::weak_ptr<const Calibration> forecast_solution = forecast.result()->solution;
 
   ASSERT_NO_FATAL_FAILURE(calibrate_and_wait(run, undo));
+  ASSERT_TRUE(run.result()->solution);
+  EXPECT_EQ(run.result()->solution, forecast_solution.lock()) << "solved twice";
   EXPECT_EQ(run.result()->calibration.balls.size(), 3U);
   EXPECT_EQ(run.result()->calibration.held_out_mm, forecast.baseline()->calibration.held_out_mm);
   EXPECT_EQ(measured(), 3);
   collection.set_radius(FlatSensor::kBallRadiusMm + 0.01);  // notes are not measured
   ASSERT_NO_FATAL_FAILURE(calibrate_and_wait(run, undo));
   EXPECT_EQ(measured(), 3);
+  EXPECT_NE(run.result()->solution, forecast_solution.lock());
 
   collection.disk()->wait();
   ASSERT_TRUE(stored_calibration(finger()));
