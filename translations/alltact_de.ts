@@ -523,6 +523,10 @@
         <translation>Kontakt auf der Kontaktfläche</translation>
     </message>
     <message>
+        <source>Pushed from the contact face</source>
+        <translation>Von der Kontaktfläche her gedrückt</translation>
+    </message>
+    <message>
         <source>Pushed from the back</source>
         <translation>Von hinten gedrückt</translation>
     </message>
@@ -11483,8 +11487,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>ohne Tiefe gibt es keine Position auf der Kontaktfläche</translation>
     </message>
     <message>
-        <source>nothing presses into the visible part of the contact face</source>
-        <translation>im sichtbaren Teil der Kontaktfläche ist nichts eingedrückt</translation>
+        <source>the visible part of the contact face is not indented</source>
+        <translation>der sichtbare Teil der Kontaktfläche ist nicht eingedrückt</translation>
     </message>
     <message>
         <source>stopped before the experiments ended</source>

@@ -519,6 +519,10 @@
         <translation>接触面有接触</translation>
     </message>
     <message>
+        <source>Pushed from the contact face</source>
+        <translation>从接触面一侧被推</translation>
+    </message>
+    <message>
         <source>Pushed from the back</source>
         <translation>从背面被推</translation>
     </message>
@@ -11441,8 +11445,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>没有深度就没有接触面上的位置</translation>
     </message>
     <message>
-        <source>nothing presses into the visible part of the contact face</source>
-        <translation>接触面的可见部分没有任何压入</translation>
+        <source>the visible part of the contact face is not indented</source>
+        <translation>接触面的可见部分没有被压入</translation>
     </message>
     <message>
         <source>stopped before the experiments ended</source>
