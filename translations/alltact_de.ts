@@ -5078,6 +5078,10 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Zeit für ein Bild</translation>
     </message>
     <message>
+        <source>%1 (catching up)</source>
+        <translation>%1 (holt auf)</translation>
+    </message>
+    <message>
         <source>%1 ms per frame</source>
         <translation>%1 ms je Bild</translation>
     </message>

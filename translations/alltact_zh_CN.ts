@@ -5043,6 +5043,10 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>每帧用时</translation>
     </message>
     <message>
+        <source>%1 (catching up)</source>
+        <translation>%1（正在追赶）</translation>
+    </message>
+    <message>
         <source>%1 ms per frame</source>
         <translation>每帧 %1 ms</translation>
     </message>
