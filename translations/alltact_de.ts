@@ -1793,6 +1793,14 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
 <context>
     <name>alltact::InspectPage</name>
     <message>
+        <source>The recording was opened with the finger in %1. It is measured with the finger in %2 now.</source>
+        <translation>Die Aufnahme wurde mit dem Finger in %1 geöffnet. Sie wird jetzt mit dem Finger in %2 gemessen.</translation>
+    </message>
+    <message>
+        <source>&amp;Close the recording</source>
+        <translation>Aufnahme s&amp;chließen</translation>
+    </message>
+    <message>
         <source>&amp;Live finger</source>
         <translation>&amp;Live-Finger</translation>
     </message>

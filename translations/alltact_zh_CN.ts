@@ -1781,6 +1781,14 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
 <context>
     <name>alltact::InspectPage</name>
     <message>
+        <source>The recording was opened with the finger in %1. It is measured with the finger in %2 now.</source>
+        <translation>该录像是用 %1 中的手指打开的，现在用 %2 中的手指测量。</translation>
+    </message>
+    <message>
+        <source>&amp;Close the recording</source>
+        <translation>关闭录像(&amp;C)</translation>
+    </message>
+    <message>
         <source>&amp;Live finger</source>
         <translation>实时手指(&amp;L)</translation>
     </message>
