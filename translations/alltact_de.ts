@@ -3789,6 +3789,10 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
 <context>
     <name>alltact::PressesPage</name>
     <message>
+        <source>Six presses are taken. Tick it again to take six more.</source>
+        <translation>Sechs Eindrücke sind aufgenommen. Haken Sie es wieder an, um sechs weitere aufzunehmen.</translation>
+    </message>
+    <message>
         <source>Presses</source>
         <translation>Eindrücke</translation>
     </message>

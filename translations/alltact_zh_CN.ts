@@ -3773,6 +3773,10 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
 <context>
     <name>alltact::PressesPage</name>
     <message>
+        <source>Six presses are taken. Tick it again to take six more.</source>
+        <translation>已拍摄六次按压。再次勾选可再拍摄六次。</translation>
+    </message>
+    <message>
         <source>Presses</source>
         <translation>按压</translation>
     </message>
