@@ -5731,6 +5731,14 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
 <context>
     <name>alltact::en</name>
     <message>
+        <source>no program on this computer opens this file</source>
+        <translation>kein Programm auf diesem Rechner öffnet diese Datei</translation>
+    </message>
+    <message>
+        <source>install one, such as a web browser for reports, or open the file on another computer</source>
+        <translation>eines installieren, für Berichte etwa einen Webbrowser, oder die Datei auf einem anderen Rechner öffnen</translation>
+    </message>
+    <message>
         <source>Most frames have no reading: {}. Try: checking the unit and the beginning of the gauge's times.</source>
         <translation>Die meisten Bilder haben keinen Messwert: {}. Abhilfe: Einheit und Beginn der Zeiten des Kraftmessers prüfen.</translation>
     </message>

@@ -5692,6 +5692,14 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
 <context>
     <name>alltact::en</name>
     <message>
+        <source>no program on this computer opens this file</source>
+        <translation>此计算机上没有程序能打开此文件</translation>
+    </message>
+    <message>
+        <source>install one, such as a web browser for reports, or open the file on another computer</source>
+        <translation>安装一个程序（例如用于报告的网页浏览器），或在另一台计算机上打开该文件</translation>
+    </message>
+    <message>
         <source>Most frames have no reading: {}. Try: checking the unit and the beginning of the gauge's times.</source>
         <translation>大多数帧没有读数：{}。建议：检查测力计时间的单位和起点。</translation>
     </message>

@@ -85,6 +85,7 @@ MainWindow::MainWindow(const StudioOptions& options, ProgramAppearance& program_
           &NotificationBar::show_error);
   if (session_store_.last()) live_->set_options(session_store_.last()->view);
   say([this] {
+  connect(&desktop_files_, &DesktopFiles::failed, problems_, &NotificationBar::show_error);
     setWindowTitle(tr("AllTact Studio"));
     name_last();
   });
