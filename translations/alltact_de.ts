@@ -5078,6 +5078,10 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
 <context>
     <name>alltact::StatusLine</name>
     <message>
+        <source>%1 (catching up)</source>
+        <translation>%1 (holt auf)</translation>
+    </message>
+    <message>
         <source>Frames delivered</source>
         <translation>Gelieferte Bilder</translation>
     </message>
@@ -5088,10 +5092,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>Time per frame</source>
         <translation>Zeit für ein Bild</translation>
-    </message>
-    <message>
-        <source>%1 (catching up)</source>
-        <translation>%1 (holt auf)</translation>
     </message>
     <message>
         <source>%1 ms per frame</source>

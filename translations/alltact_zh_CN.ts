@@ -5043,6 +5043,10 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
 <context>
     <name>alltact::StatusLine</name>
     <message>
+        <source>%1 (catching up)</source>
+        <translation>%1（正在追赶）</translation>
+    </message>
+    <message>
         <source>Frames delivered</source>
         <translation>收到的帧</translation>
     </message>
@@ -5053,10 +5057,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>Time per frame</source>
         <translation>每帧用时</translation>
-    </message>
-    <message>
-        <source>%1 (catching up)</source>
-        <translation>%1（正在追赶）</translation>
     </message>
     <message>
         <source>%1 ms per frame</source>
