@@ -637,6 +637,10 @@
         <source>This finger has no force model yet. Train one with a table of its markers and a gauge&apos;s forces:</source>
         <translation>Dieser Finger hat noch kein Kraftmodell. Trainieren Sie eines mit einer Tabelle seiner Marken und der Kräfte eines Kraftmessers:</translation>
     </message>
+    <message>
+        <source>Pushed from the contact face</source>
+        <translation>Von der Kontaktfläche her gedrückt</translation>
+    </message>
 </context>
 <context>
     <name>alltact::ContrastPlot</name>
@@ -1959,6 +1963,14 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>Point at the face to see its values here.</source>
         <translation>Zeigen Sie auf die Fläche, um ihre Werte hier zu sehen.</translation>
+    </message>
+    <message>
+        <source>The recording was opened with the finger in %1. It is measured with the finger in %2 now.</source>
+        <translation>Die Aufnahme wurde mit dem Finger in %1 geöffnet. Sie wird jetzt mit dem Finger in %2 gemessen.</translation>
+    </message>
+    <message>
+        <source>&amp;Close the recording</source>
+        <translation>Aufnahme s&amp;chließen</translation>
     </message>
 </context>
 <context>
@@ -4014,6 +4026,10 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>Holds still.</source>
         <translation>Hält still.</translation>
     </message>
+    <message>
+        <source>Six presses are taken. Tick it again to take six more.</source>
+        <translation>Sechs Eindrücke sind aufgenommen. Haken Sie es wieder an, um sechs weitere aufzunehmen.</translation>
+    </message>
 </context>
 <context>
     <name>alltact::PressesPlot</name>
@@ -5103,6 +5119,10 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
             <numerusform>%n Bild verloren</numerusform>
             <numerusform>%n Bilder verloren</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>%1 (catching up)</source>
+        <translation>%1 (holt auf)</translation>
     </message>
 </context>
 <context>
@@ -11503,10 +11523,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>ohne Tiefe gibt es keine Position auf der Kontaktfläche</translation>
     </message>
     <message>
-        <source>nothing presses into the visible part of the contact face</source>
-        <translation>im sichtbaren Teil der Kontaktfläche ist nichts eingedrückt</translation>
-    </message>
-    <message>
         <source>stopped before the experiments ended</source>
         <translation>angehalten, bevor die Experimente zu Ende waren</translation>
     </message>
@@ -14617,6 +14633,18 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>the principal point {:.1f}, {:.1f} is the middle of {} x {} px, not of {} x {}</source>
         <translation>der Hauptpunkt {}, {} ist die Mitte von {} x {} px, nicht von {} x {}</translation>
+    </message>
+    <message>
+        <source>no program on this computer opens this file</source>
+        <translation>kein Programm auf diesem Rechner öffnet diese Datei</translation>
+    </message>
+    <message>
+        <source>install one, such as a web browser for reports, or open the file on another computer</source>
+        <translation>eines installieren, für Berichte etwa einen Webbrowser, oder die Datei auf einem anderen Rechner öffnen</translation>
+    </message>
+    <message>
+        <source>the visible part of the contact face is not indented</source>
+        <translation>der sichtbare Teil der Kontaktfläche ist nicht eingedrückt</translation>
     </message>
 </context>
 </TS>

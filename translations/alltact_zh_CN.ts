@@ -632,6 +632,10 @@
         <source>This finger has no force model yet. Train one with a table of its markers and a gauge&apos;s forces:</source>
         <translation>此手指还没有力模型。请用包含其标记点和测力计读数的表训练一个：</translation>
     </message>
+    <message>
+        <source>Pushed from the contact face</source>
+        <translation>从接触面一侧被推</translation>
+    </message>
 </context>
 <context>
     <name>alltact::ContrastPlot</name>
@@ -1947,6 +1951,14 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>Point at the face to see its values here.</source>
         <translation>把指针移到接触面上，这里会显示该处的数值。</translation>
+    </message>
+    <message>
+        <source>The recording was opened with the finger in %1. It is measured with the finger in %2 now.</source>
+        <translation>该录像是用 %1 中的手指打开的，现在用 %2 中的手指测量。</translation>
+    </message>
+    <message>
+        <source>&amp;Close the recording</source>
+        <translation>关闭录像(&amp;C)</translation>
     </message>
 </context>
 <context>
@@ -3996,6 +4008,10 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>Holds still.</source>
         <translation>保持不动。</translation>
     </message>
+    <message>
+        <source>Six presses are taken. Tick it again to take six more.</source>
+        <translation>已拍摄六次按压。再次勾选可再拍摄六次。</translation>
+    </message>
 </context>
 <context>
     <name>alltact::PressesPlot</name>
@@ -5067,6 +5083,10 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>
             <numerusform>丢失 %n 帧</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>%1 (catching up)</source>
+        <translation>%1（正在追赶）</translation>
     </message>
 </context>
 <context>
@@ -11461,10 +11481,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>没有深度就没有接触面上的位置</translation>
     </message>
     <message>
-        <source>nothing presses into the visible part of the contact face</source>
-        <translation>接触面的可见部分没有任何压入</translation>
-    </message>
-    <message>
         <source>stopped before the experiments ended</source>
         <translation>实验结束之前已停止</translation>
     </message>
@@ -14557,6 +14573,18 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>the principal point {:.1f}, {:.1f} is the middle of {} x {} px, not of {} x {}</source>
         <translation>主点 {}, {} 是 {} x {} px 的中心，而不是 {} x {} 的</translation>
+    </message>
+    <message>
+        <source>no program on this computer opens this file</source>
+        <translation>此计算机上没有程序能打开此文件</translation>
+    </message>
+    <message>
+        <source>install one, such as a web browser for reports, or open the file on another computer</source>
+        <translation>安装一个程序（例如用于报告的网页浏览器），或在另一台计算机上打开该文件</translation>
+    </message>
+    <message>
+        <source>the visible part of the contact face is not indented</source>
+        <translation>接触面的可见部分没有被压入</translation>
     </message>
 </context>
 </TS>

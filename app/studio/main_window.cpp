@@ -13,6 +13,7 @@
 #include "widgets/pages/inspect_page.h"
 #include "widgets/pages/live_page.h"
 #include "widgets/pages/record_page.h"
+#include "widgets/scene3d/vtk_view.h"
 #include "widgets/theme.h"
 
 #include <QApplication>
@@ -22,6 +23,7 @@
 #include <QLocale>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QOpenGLWidget>
 #include <QSettings>
 #include <QVBoxLayout>
 #include <QWidget>
@@ -83,6 +85,7 @@ MainWindow::MainWindow(const StudioOptions& options, ProgramAppearance& program_
   connect(source_menu_, &SourceMenu::failed, problems_, &NotificationBar::show_error);
   connect(&UnexpectedErrors::instance(), &UnexpectedErrors::reported, problems_,
           &NotificationBar::show_error);
+  connect(&desktop_files_, &DesktopFiles::failed, problems_, &NotificationBar::show_error);
   if (session_store_.last()) live_->set_options(session_store_.last()->view);
   say([this] {
     setWindowTitle(tr("AllTact Studio"));
@@ -124,6 +127,9 @@ void MainWindow::put_together() {
   row->addWidget(content, 1);
   setCentralWidget(centre);
   setStatusBar(new StatusLine(session_));
+  // Qt makes a window anew that gets its first view of OpenGL after it was shown, and it is black
+  // meanwhile.
+  if (VtkView::is_supported()) (new QOpenGLWidget(this))->hide();
 }
 
 void MainWindow::connect_page(Page& page) {

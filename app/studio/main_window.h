@@ -2,6 +2,7 @@
 // notification bar, and the menus.
 #pragma once
 
+#include "app/studio/desktop_files.h"
 #include "app/studio/session.h"
 #include "app/studio/workspace.h"
 #include "core/open/open_source.h"
@@ -102,6 +103,7 @@ class MainWindow : public Translated<QMainWindow> {
   Workspace work_;
   CameraFinder finder_;
   Pedal pedal_;
+  DesktopFiles desktop_files_;
   std::vector<Page*> pages_;  // in the order of the navigation bar
   LivePage* live_;
   InspectPage* inspect_;

@@ -208,10 +208,11 @@ void StatusLine::follow() {
 
 void StatusLine::show_source(const SourceStatus& source, double shown_per_s) {
   const QLocale locale;
-  delivered_->setText(tr("%1 frames/s, %2 delivered, %3 shown per second")
-                          .arg(locale.toString(source.frames_per_s, 'f', 1),
-                               locale.toString(static_cast<qulonglong>(source.delivered)),
-                               locale.toString(shown_per_s, 'f', 1)));
+  const QString rates = tr("%1 frames/s, %2 delivered, %3 shown per second")
+                            .arg(locale.toString(source.frames_per_s, 'f', 1),
+                                 locale.toString(static_cast<qulonglong>(source.delivered)),
+                                 locale.toString(shown_per_s, 'f', 1));
+  delivered_->setText(source.is_catching_up ? tr("%1 (catching up)").arg(rates) : rates);
   const std::uint64_t damaged = source.camera ? source.camera->damaged : 0;
   lost_->setText(tr("%n frame(s) lost", nullptr, static_cast<int>(source.missing + damaged)));
 }

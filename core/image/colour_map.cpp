@@ -67,6 +67,20 @@ MapColour depth_colour(double part) {
   return part < 0 ? between(kBulge, -part / kBulgeFraction) : viridis(part);
 }
 
+int ColourScale::label_decimals(int labels) const {
+  constexpr int kMin = 2, kMax = 5;
+  constexpr double kExact = 1e-6;  // units of the last decimal
+  const double step_mm = (top_mm - low_mm) / std::max(1, labels - 1);
+  for (int decimals = kMin; decimals < kMax; ++decimals) {
+    const double unit = std::pow(10.0, decimals);
+    const auto is_exact = [&](double mm) {
+      return std::abs(mm * unit - std::round(mm * unit)) < kExact;
+    };
+    if (is_exact(low_mm) && is_exact(step_mm)) return decimals;
+  }
+  return kMax;
+}
+
 ColourScale depth_scale(double top_mm) {
   return {-kBulgeFraction * top_mm, top_mm,
           [](double part) { return depth_colour((1 + kBulgeFraction) * part - kBulgeFraction); },

@@ -30,6 +30,9 @@ struct ColourScale {
   double low_mm = 0, top_mm = 1;
   MapColour (*colour)(double part) = viridis;  ///< on [0, 1]
   int steps = 4;                               ///< number of intervals between labels
+
+  /// Decimals, at least 2, that write each of so many evenly spaced labels as it is; at most 5.
+  [[nodiscard]] int label_decimals(int labels) const;
 };
 /// The depth scale begins at -kBulgeFraction top_mm, as depth_colour(). The difference scale begins
 /// at -top_mm, with light grey in the middle.

@@ -46,7 +46,11 @@ struct SourceRunner::Run {
   std::condition_variable ended;
   bool is_ended = false;
   SourceStatus status;
-  std::deque<std::int64_t> arrivals_ns;  // of the last second
+  struct Arrival {
+    std::int64_t arrived_ns;
+    std::optional<std::int64_t> taken_ns;  // by the source's clock
+  };
+  std::deque<Arrival> arrivals;  // of the last second
   std::shared_ptr<V4l2Camera> camera;
   std::optional<std::uint64_t> last_sequence;
   std::optional<LightStamp> light;
@@ -177,14 +181,28 @@ struct SourceRunner::Run {
     if (last_sequence && frame.sequence > *last_sequence + 1)
       status.missing += frame.sequence - *last_sequence - 1;
     last_sequence = frame.sequence;
-    arrivals_ns.push_back(now_ns);
-    while (arrivals_ns.front() < now_ns - kSecond_ns) arrivals_ns.pop_front();
+    arrivals.push_back({now_ns, frame.time_ns});
+    while (arrivals.front().arrived_ns < now_ns - kSecond_ns) arrivals.pop_front();
     if (!frame.time_ns || camera) return;
     const std::int64_t offset = now_ns - *frame.time_ns;
     while (!offsets.empty() && offsets.back().offset_ns >= offset) offsets.pop_back();
     offsets.push_back({now_ns, offset});
     while (offsets.front().arrived_ns < now_ns - kClockWindow_ns) offsets.pop_front();
     clock_offset_ns = offsets.front().offset_ns;
+  }
+
+  void measure_rate(SourceStatus& into) const {
+    constexpr double kCatchingUp = 1.2;  // unsteady delivery stays below
+    if (arrivals.size() < 2 || arrivals.back().arrived_ns <= monotonic_ns() - kSecond_ns) return;
+    const auto &first = arrivals.front(), &last = arrivals.back();
+    const auto rate = [&](std::int64_t span_ns) {
+      return static_cast<double>(arrivals.size() - 1) * 1e9 / static_cast<double>(span_ns);
+    };
+    into.frames_per_s = rate(last.arrived_ns - first.arrived_ns);
+    if (!first.taken_ns || !last.taken_ns || *last.taken_ns <= *first.taken_ns) return;
+    const double taken_per_s = rate(*last.taken_ns - *first.taken_ns);
+    into.is_catching_up = into.frames_per_s > kCatchingUp * taken_per_s;
+    into.frames_per_s = std::min(into.frames_per_s, taken_per_s);
   }
 
   void record(Recorder& into, const FramePtr& frame, bool is_live) {
@@ -338,10 +356,7 @@ SourceStatus SourceRunner::status() const {
   if (!run_) return {};
   const std::lock_guard run_lock(run_->mutex);
   SourceStatus status = run_->status;
-  const auto& arrivals = run_->arrivals_ns;
-  if (arrivals.size() > 1 && arrivals.back() > monotonic_ns() - kSecond_ns)
-    status.frames_per_s = static_cast<double>(arrivals.size() - 1) * 1e9 /
-                          static_cast<double>(arrivals.back() - arrivals.front());
+  run_->measure_rate(status);
   if (run_->camera) {
     status.camera = run_->camera->status();
     if (status.camera->trouble) status.problem = status.camera->trouble;

@@ -53,7 +53,9 @@ struct SourceStatus {
   std::optional<Error> problem;  ///< why there are no frames now
   std::uint64_t delivered = 0;   ///< frames that came
   std::uint64_t missing = 0;     ///< frames that never came: gaps in the source's numbers
-  double frames_per_s = 0;       ///< measured over the last second
+  /// Over the last second; while the source catches up, by the frames' own times.
+  double frames_per_s = 0;
+  bool is_catching_up = false;  ///< frames arrive faster than they were taken
   bool is_live = false, is_continuous = false;
   std::optional<CameraStatus> camera;
   std::vector<Message> remarks;  ///< Source::remarks() when it was opened

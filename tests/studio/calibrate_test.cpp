@@ -85,6 +85,23 @@ TEST(Calibrate, TakesPressesFromTheLivePictureAndKeepsThemAtOnce) {
   EXPECT_EQ(rig.collection().usable_count(), 2);
 }
 
+TEST(Calibrate, ForgetsAFingersVerdictAsSoonAsAnotherIsOpened) {
+  StudioOptions options;
+  options.finger = MadeFingers::get().calibrated();
+  Studio studio(options);
+  studio.window().go_to("calibrate");
+  auto& page = *studio.window().findChild<CalibratePage*>();
+  ASSERT_TRUE(wait_until([&] { return page.run().finger() && page.collection().is_ready(); }));
+  const TemporaryFolder shelf;
+  std::filesystem::copy(options.finger, shelf / "other", std::filesystem::copy_options::recursive);
+  studio.window().open_finger(shelf / "other");
+  ASSERT_EQ(studio.session().status().finger.state, FingerState::kLoading);
+  EXPECT_FALSE(page.run().finger());
+  EXPECT_TRUE(page.collection().folder().empty());
+  EXPECT_TRUE(wait_until(
+      [&] { return page.run().finger() && page.collection().folder() == shelf / "other"; }));
+}
+
 TEST(Calibrate, TakesPressesByItselfWhenTheyHoldStill) {
   CalibrateStudio rig;
   // Each is held for 0.8 s: longer than the half second that is asked for.
@@ -95,11 +112,24 @@ TEST(Calibrate, TakesPressesByItselfWhenTheyHoldStill) {
   auto* box = rig.studio().find<QCheckBox>("Automatically when still");
   box->setFocus();
   QTest::keyClick(box, Qt::Key_Space);
-  ASSERT_TRUE(wait_until([&] { return rig.collection().presses().size() >= 4; }, 20000));
-  QTest::keyClick(box, Qt::Key_Space);
-  const int count = static_cast<int>(rig.collection().presses().size());
-  ASSERT_TRUE(rig.wait_until_looked_at(count));
-  EXPECT_EQ(rig.collection().usable_count(), count);
+  ASSERT_TRUE(wait_until([&] { return rig.collection().presses().size() == 1; }, 20000));
+  // Nobody who looks at a press is sent away from it.
+  const std::size_t count = rig.collection().presses().size();
+  auto* list = rig.studio().find<QListView>("Presses");
+  list->setCurrentIndex(list->model()->index(0, 0));
+  ASSERT_FALSE(box->isVisible());
+  const std::uint64_t before = rig.studio().session().status().source.delivered;
+  ASSERT_TRUE(wait_until(
+      [&] { return rig.studio().session().status().source.delivered > before + 100; }, 40000));
+  EXPECT_FALSE(box->isVisible());
+  EXPECT_EQ(rig.collection().presses().size(), count);
+  // It goes on with the live image, and ends with six, although the ball presses on.
+  rig.studio().click("Live image");
+  ASSERT_TRUE(wait_until([&] { return !box->isChecked(); }, 60000));
+  EXPECT_TRUE(says(rig.studio(), "Six presses are taken."));
+  ASSERT_TRUE(rig.wait_until_looked_at(6));
+  EXPECT_EQ(rig.collection().presses().size(), 6U);
+  EXPECT_EQ(rig.collection().usable_count(), 6);
 }
 
 TEST(Calibrate, TheOutlineIsTheBallsAndAHandMovesIt) {

@@ -66,6 +66,16 @@ TEST_F(InspectIn3DView, TellsUnderThePointerTheDepthThatIsExported) {
   EXPECT_GT(told, 8);
 }
 
+TEST_F(InspectIn3DView, TheFirst3DViewDoesNotMakeTheWindowAnew) {
+  StudioOptions options;
+  options.finger = MadeFingers::get().calibrated();
+  studio_.emplace(options);
+  const WId before = studio_->window().winId();
+  studio_->window().go_to("inspect");
+  ASSERT_TRUE(open(MadeFingers::get().touched_pictures()));
+  EXPECT_EQ(studio_->window().winId(), before) << "it is black until it is drawn again";
+}
+
 TEST_F(InspectIn3DView, AClickPutsAPointThatStaysOnTheFinger) {
   ASSERT_TRUE(open(TwoFingers::get().left_video()));
   const auto middle = view().scene().window_pixel_of({450, 270});

@@ -303,6 +303,49 @@ TEST_F(Inspect, ShowsTheLiveFingerAndComesBackToIt) {
       [&] { return place().inspection().frame() && !place().inspection().recording(); }));
 }
 
+TEST_F(Inspect, KnowsEveryFrameOfARecordingThatIsOpenedAgain) {
+  const auto is_complete = [&] { return place().inspection().summaries().size() == 6; };
+  studio_.window().open_source({MadeFingers::get().touched()});
+  ASSERT_TRUE(open_pictures());
+  ASSERT_TRUE(wait_until(is_complete));
+  const std::vector<FrameSummary> first = place().inspection().summaries();
+  studio_.click("Live finger");
+  ASSERT_TRUE(wait_until(
+      [&] { return place().inspection().frame() && !place().inspection().recording(); }));
+  ASSERT_TRUE(open_pictures());
+  ASSERT_TRUE(wait_until(is_complete)) << place().inspection().summaries().size();
+  const std::vector<FrameSummary> second = place().inspection().summaries();
+  for (const FrameSummary& summary : first)
+    EXPECT_EQ(std::count_if(second.begin(), second.end(),
+                            [&](const FrameSummary& other) {
+                              return other.number == summary.number &&
+                                     other.deepest_mm == summary.deepest_mm;
+                            }),
+              1)
+        << summary.number;
+  auto* later = studio_.find<QToolButton>("Next contact or problem");
+  EXPECT_TRUE(wait_until([&] { return later->isEnabled(); }));
+}
+
+TEST_F(Inspect, NamesBothFingersOfARecordingThatAnotherFingerMeasures) {
+  ASSERT_TRUE(open_pictures());
+  EXPECT_EQ(studio_.problems(), "");
+  const TemporaryFolder shelf;
+  std::filesystem::copy(MadeFingers::get().calibrated(), shelf / "other",
+                        std::filesystem::copy_options::recursive);
+  studio_.window().open_finger(shelf / "other");
+  ASSERT_TRUE(wait_until([&] { return !studio_.problems().empty(); }));
+  EXPECT_THAT(studio_.problems(), HasSubstr(MadeFingers::get().calibrated().string()));
+  EXPECT_THAT(studio_.problems(), HasSubstr((shelf / "other").string()));
+  studio_.window().open_finger(MadeFingers::get().calibrated());
+  EXPECT_TRUE(wait_until([&] { return studio_.problems().empty(); }));
+  studio_.window().open_finger(shelf / "other");
+  ASSERT_TRUE(wait_until([&] { return !studio_.problems().empty(); }));
+  studio_.click("Close the recording");
+  EXPECT_TRUE(place().options().recording.empty());
+  EXPECT_TRUE(wait_until([&] { return studio_.problems().empty(); }));
+}
+
 TEST_F(Inspect, SaysWhyThereIsNothing) {
   auto* map = studio_.find<ImageView>("Image");
   ASSERT_TRUE(wait_until(

@@ -5,12 +5,14 @@
 #include "calibration/report/press_errors.h"
 #include "calibration/verdict/verdict.h"
 #include "core/base/result.h"
+#include "tests/studio/studio_rig.h"
 #include "tests/support/good_evidence.h"
 #include "tests/support/ts_file.h"
 #include "tests/support/words_left.h"
 #include "widgets/verdict_text.h"
 
 #include <QLocale>
+#include <QMenuBar>
 #include <array>
 
 #include <gmock/gmock.h>
@@ -213,6 +215,31 @@ TEST_F(InLanguage, EveryCountIsRightInEnglishWithoutATranslation) {
                                              {Message::typed("N"), Message::typed("A")});
       EXPECT_EQ(reported(whole), whole.english());
     }
+  }
+}
+
+/// Of the menu bar and of each menu.
+std::vector<QSize> menu_sizes(QMainWindow& window) {
+  std::vector<QSize> sizes{window.menuBar()->sizeHint()};
+  for (const QAction* action : window.menuBar()->actions()) {
+    action->menu()->ensurePolished();
+    sizes.push_back(action->menu()->sizeHint());
+  }
+  return sizes;
+}
+
+TEST_F(InLanguage, MenusOfARunningWindowAreAsLargeAsThoseOfANewOne) {
+  Studio running;
+  static_cast<void>(menu_sizes(running.window()));
+  for (const char* language : {"zh_CN", "de", "zh_CN", "en"}) {
+    speak(language);
+    StudioOptions options;
+    options.session_folder = running.folder() / "another";
+    options.lister = [] { return std::vector<FoundCamera>{}; };
+    MainWindow anew(options, appearance_);
+    anew.show();
+    QApplication::processEvents();
+    EXPECT_EQ(menu_sizes(running.window()), menu_sizes(anew)) << language;
   }
 }
 

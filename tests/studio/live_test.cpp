@@ -7,7 +7,12 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QMenuBar>
+#include <QRegularExpression>
+#include <QSettings>
 #include <QSlider>
+#include <QStatusBar>
+#include <algorithm>
+#include <thread>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -37,6 +42,73 @@ TEST(Live, BeginsWithTheSimulatedFingerByOneClick) {
   EXPECT_EQ(studio.session().status().source.missing, 0U);
   EXPECT_EQ(studio.find<QToolButton>("Finger: studio finger (simulated)")->text(),
             "studio finger (simulated)");
+}
+
+/// Frames taken 30 times a second that come all at once.
+class BelatedSource : public Source {
+ public:
+  Result<FramePtr> next() override {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));  // so that the test may go on
+    auto frame = std::make_shared<Frame>();
+    frame->grey = cv::Mat(48, 64, CV_8UC1, cv::Scalar(100));
+    frame->origin = "belated";
+    frame->sequence = number_++;
+    frame->time_ns = static_cast<std::int64_t>(frame->sequence) * 1'000'000'000 / 30;
+    return FramePtr(frame);
+  }
+  [[nodiscard]] std::optional<std::size_t> count() const override { return std::nullopt; }
+  [[nodiscard]] bool is_continuous() const override { return true; }
+
+ private:
+  std::uint64_t number_ = 0;
+};
+
+TEST(Live, TheStatusFitsASmallWindowInEveryLanguage) {
+  StudioOptions options;
+  options.opener = [](const auto&, const SourceOptions&) {
+    return Result<std::unique_ptr<Source>>(std::make_unique<BelatedSource>());
+  };
+  options.source = {"belated"};
+  Studio studio(options);
+  ProgramAppearance appearance;
+  for (const auto& [language, words] :
+       {std::pair{"en", "30.0 frames/s"}, {"de", "30,0 Bilder/s"}, {"zh_CN", "30.0 帧/秒"}}) {
+    appearance.apply({Theme::kLight, QLatin1String(language)});
+    studio.window().resize(1024, 700);
+    auto* bar = studio.window().statusBar();
+    const auto labels = bar->findChildren<QLabel*>();
+    const auto begins_with = [&](const QLabel* label) {
+      return label->isVisible() && label->text().startsWith(QString::fromUtf8(words)) &&
+             label->text().contains(QRegularExpression(QStringLiteral("[(（].+[)）]")));
+    };
+    ASSERT_TRUE(wait_until([&] { return std::any_of(labels.begin(), labels.end(), begins_with); }))
+        << language;
+    QTest::qWait(50);
+    int text_px = 0;
+    for (const QLabel* label : labels) {
+      if (!label->isVisible()) continue;
+      EXPECT_GE(label->width(), label->sizeHint().width()) << label->text().toStdString();
+      EXPECT_LE(label->geometry().right(), bar->width()) << label->text().toStdString();
+      text_px += label->sizeHint().width();
+    }
+    // Two more digits and the mark of an old image still fit.
+    EXPECT_LE(text_px + 60, bar->width()) << language;
+  }
+  appearance.apply({Theme::kLight, QStringLiteral("en")});
+}
+
+TEST(Live, AMaximisedWindowIsMaximisedAgain) {
+  {
+    Studio studio;
+    EXPECT_FALSE(studio.window().isMaximized());
+    studio.window().showMaximized();
+    studio.close();
+  }
+  {
+    Studio studio;
+    EXPECT_TRUE(studio.window().isMaximized());
+  }
+  QSettings().remove(QStringLiteral("window/geometry"));
 }
 
 TEST(Live, BeginsWithTheSimulatedFingerByKeysAlone) {

@@ -107,6 +107,23 @@ TEST_F(RecordTest, SaysInPlaceThatAFolderCannotBeWrittenTo) {
   EXPECT_TRUE(wait_until([&] { return studio_->problems().empty(); }));
 }
 
+TEST_F(RecordTest, CoversTheBendingOfASecondFingerAsOfTheFirst) {
+  const auto covered = [&] {
+    return studio_->find<CoverageView>("Coverage of bending")->accessibleDescription();
+  };
+  const auto delivered = [&] { return studio_->session().status().source.delivered; };
+  open(MadeFingers::get().bending(), MadeFingers::get().described());
+  ASSERT_TRUE(wait_until([&] { return delivered() > 300; }, 60000));
+  const QString first = covered();
+  EXPECT_TRUE(first.startsWith("Missing: ") || first.startsWith("Enough")) << first.toStdString();
+  std::filesystem::copy(MadeFingers::get().described(), folder_ / "other",
+                        std::filesystem::copy_options::recursive);
+  studio_->window().open_finger(folder_ / "other");
+  studio_->window().open_source({MadeFingers::get().bending()});
+  EXPECT_EQ(covered().toStdString(), "No pose seen yet.");
+  EXPECT_TRUE(wait_until([&] { return covered() == first; }, 60000)) << covered().toStdString();
+}
+
 TEST_F(RecordTest, NeverWritesOverARecording) {
   open(MadeFingers::get().bending(), MadeFingers::get().calibrated());
   std::ofstream(folder_ / "old.mkv") << "yesterday's";

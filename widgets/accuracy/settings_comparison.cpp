@@ -2,6 +2,7 @@
 
 #include "calibration/live/live_finger.h"
 #include "calibration/study/accuracy_study.h"
+#include "core/numerics/readable_numbers.h"
 #include "widgets/image/overlays.h"
 #include "widgets/inspect/inspect_pane.h"
 #include "widgets/language.h"
@@ -13,20 +14,8 @@ namespace alltact {
 namespace {
 
 constexpr double kDepthTop_mm = 1.0;
-constexpr double kLeastDifferenceTop_mm = 0.01;
 
 QString micrometres(double mm) { return QLocale().toString(1000 * mm, 'f', 1); }
-
-/// A round number of millimetres that the differences fill.
-double top_of(double p95_mm) {
-  double top_mm = kLeastDifferenceTop_mm;
-  for (const double step : {2.0, 2.5, 2.0})
-    while (top_mm < p95_mm) {
-      top_mm *= step;
-      if (top_mm > 1e3) return top_mm;
-    }
-  return top_mm;
-}
 
 }  // namespace
 
@@ -89,6 +78,7 @@ void SettingsComparison::compare(const FingerPtr& finger, const Settings& now,
   if (is_new) {
     held_.reset();
     compared_.reset();
+    difference_top_mm_ = kMinDifferenceTop_mm;
     problem_.reset();
     last_.reset();
   }
@@ -135,6 +125,9 @@ void SettingsComparison::take_frame() {
 
 void SettingsComparison::take(const std::shared_ptr<const ComparedFrame>& compared) {
   compared_ = compared;
+  // A scale that shrank with every lighter contact could not be compared with the one before.
+  if (compared_ && compared_->p95_mm.value_or(0) > 0)
+    difference_top_mm_ = std::max(difference_top_mm_, round_step(*compared_->p95_mm));
   show_views();
   Q_EMIT shown();
 }
@@ -178,7 +171,7 @@ void SettingsComparison::show_views() {
     views_[kDifference]->show_message(tr("One setting gives no depth in this image."));
     return;
   }
-  const ColourScale scale = difference_scale(top_of(compared_->p95_mm.value_or(0)));
+  const ColourScale scale = difference_scale(difference_top_mm_);
   const FrameResult& full =
       compared_->now.reduced_by <= compared_->other.reduced_by ? compared_->now : compared_->other;
   const cv::Mat layer = height_layer(compared_->difference_mm, scale);

@@ -56,6 +56,8 @@ class SettingsComparison : public Translated<QWidget> {
   QLabel* figures_;
   std::shared_ptr<Held> held_;
   std::shared_ptr<const ComparedFrame> compared_;
+  static constexpr double kMinDifferenceTop_mm = 0.01;
+  double difference_top_mm_ = kMinDifferenceTop_mm;  // of the scale; it only grows
   std::optional<Error> problem_;
   FramePtr last_;  // that was measured
   BackgroundWork work_;

@@ -204,11 +204,7 @@ void PressesPage::connect_parts() {
   // The next key must not be typed into the field.
   connect(operator_, &QLineEdit::returnPressed, this, [this] { take_->setFocus(); });
   connect(take_, &QPushButton::clicked, this, &PressesPage::take);
-  connect(automatic_, &QCheckBox::toggled, this, [this] {
-    still_.begin();
-    show_take();
-    show_guide();
-  });
+  connect(automatic_, &QCheckBox::toggled, this, &PressesPage::begin_series);
   connect(more_, &QToolButton::toggled, this, &PressesPage::show_shown);
   connect(find_, &QPushButton::clicked, this, [this] { collection_.find_ball_again(shown_); });
 }
@@ -313,6 +309,7 @@ void PressesPage::show_status() {
     taker_.forget();
     refused_.reset();
     taken_name_.clear();
+    begin_series();
     const QSignalBlocker quiet(radius_);
     radius_->setValue(0);  // resets also a number typed for another finger
   }
@@ -738,25 +735,48 @@ void PressesPage::press_pedal() {
   if (take_->isEnabled()) take();
 }
 
+/// A series fills up to six presses; when there are as many, it takes six more.
+void PressesPage::begin_series() {
+  constexpr int kSeries = 6;
+  const int usable = collection_.usable_count();
+  series_left_ = usable < kSeries ? kSeries - usable : kSeries;
+  is_series_over_ = false;
+  still_.begin();
+  show_take();
+  show_guide();
+}
+
 void PressesPage::watch_contact() {
   if (!isVisible()) return;
   const FrameResult& result = session_.view()->result;
   const bool can_take = take_obstacle().isEmpty();
   guided_ = can_take ? guidance_of(result, collection_, forecast_, 0) : PressGuidance();
-  const bool is_still = still_.add(guided_.contact, monotonic_s()) && can_take;
+  // Whoever looks at a press, or drags its outline, is left alone.
+  const bool may_take = can_take && automatic_->isChecked() && shown_.empty();
+  const bool is_still = may_take && still_.add(guided_.contact, monotonic_s());
   const auto taken =
       taker_.see(can_take ? result.frame : FramePtr(), guided_.contact, monotonic_s());
   guided_.hold_fraction = held_part();
   show_guide();
   if (taken)
     add_taken(*taken);
-  else if (is_still && automatic_->isChecked())
-    take();
+  else if (is_still)
+    take_automatically();
   else
     show_take();
 }
 
+void PressesPage::take_automatically() {
+  take();
+  if (--series_left_ > 0) return;
+  const QSignalBlocker quiet(automatic_);
+  automatic_->setChecked(false);
+  is_series_over_ = true;
+  show_guide();
+}
+
 QString PressesPage::auto_take_obstacle() const {
+  if (is_series_over_) return tr("Six presses are taken. Tick it again to take six more.");
   if (!automatic_->isChecked() || !take_obstacle().isEmpty()) return {};
   switch (still_.hold().state) {
     case HoldState::kNothing:

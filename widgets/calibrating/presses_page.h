@@ -107,6 +107,8 @@ class PressesPage : public StepPage {
   void take();
   [[nodiscard]] QString take_obstacle() const;
   void watch_contact();
+  void begin_series();
+  void take_automatically();
   [[nodiscard]] QString auto_take_obstacle() const;
   void show_guide();
   void add_taken(const PressTaker::Taken& taken);
@@ -138,7 +140,9 @@ class PressesPage : public StepPage {
   PressForecast& forecast_;
   PressModel model_;
   StationaryContactDetector still_;
-  PressTaker taker_;  // takes presses from the live stream while this page is visible
+  int series_left_ = 0;          // presses that are still taken automatically
+  bool is_series_over_ = false;  // since the last one was taken
+  PressTaker taker_;             // takes presses from the live stream while this page is visible
   std::filesystem::path taker_folder_;  // the finger's folder
   PressGuidance guided_;
   std::string shown_;               // name of the press; empty: the live image

@@ -192,15 +192,33 @@ void write_next_to(QPainter& painter, QPointF widget, const QString& words, cons
   write_on_plate(painter, at, words, colour);
 }
 
+namespace {
+
+/// Points at both ends of the bar: their colours stand for values beyond the scale, too.
+void fill_ends(QPainter& painter, const QRectF& bar, const ColourScale& scale) {
+  const double length = 0.5 * bar.height();
+  for (const bool is_top : {false, true}) {
+    const double x = is_top ? bar.right() : bar.left();
+    QPainterPath point(QPointF(x, bar.top()));
+    point.lineTo(x + (is_top ? length : -length), bar.center().y());
+    point.lineTo(x, bar.bottom());
+    const MapColour colour = scale.colour(is_top ? 1 : 0);
+    painter.fillPath(point, QColor(colour.red, colour.green, colour.blue));
+  }
+}
+
+}  // namespace
+
 Overlay colour_bar_overlay(const ColourScale& scale, const QString& title,
                            const std::vector<LegendLine>& legend) {
   return [scale, title, legend](QPainter& painter, const ImageTransform& /*transform*/) {
     const QRectF room(painter.viewport());
     const QFontMetricsF metrics(painter.font());
     constexpr double kHeight = 14, kMargin = 10, kGap = 8;
+    const int decimals = scale.label_decimals(scale.steps + 1);
     const auto number_at = [&](int step) {
       const double part = static_cast<double>(step) / scale.steps;
-      return plain_number(scale.low_mm + part * (scale.top_mm - scale.low_mm), 2);
+      return plain_number(scale.low_mm + part * (scale.top_mm - scale.low_mm), decimals);
     };
     double width = std::clamp(0.3 * room.width(), 160.0, 280.0);
     const double sample = 1.6 * metrics.height();
@@ -238,6 +256,7 @@ Overlay colour_bar_overlay(const ColourScale& scale, const QString& title,
       gradient.setColorAt(part, QColor(colour.red, colour.green, colour.blue));
     }
     painter.fillRect(bar, gradient);
+    fill_ends(painter, bar, scale);
     if (scale.low_mm < 0 && scale.top_mm > 0) {
       const double zero = bar.left() - bar.width() * scale.low_mm / (scale.top_mm - scale.low_mm);
       painter.drawLine(QPointF(zero, bar.top() - 2), QPointF(zero, bar.bottom() + 2));

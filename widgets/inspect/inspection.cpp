@@ -135,6 +135,7 @@ void Inspection::open(const std::filesystem::path& input, std::size_t number) {
   shared_->change_request(
       [&](InspectRequest& request) {
         request.input = input;
+        ++request.opened;
         request.number = number;
         request.live.reset();
       },
@@ -221,7 +222,10 @@ Result<MeasuredFrame> Inspector::measured(const InspectRequest& request, const J
   if (const Status status = measurer_.load_finger(request.finger, job); !status)
     return status.error();
   auto frame = measurer_.measure(request.number, request.other, job);
-  if (frame) note(*frame);
+  if (frame) {
+    note(*frame);
+    resend(request.opened);
+  }
   return frame;
 }
 
@@ -230,29 +234,36 @@ void Inspector::note(const MeasuredFrame& frame) {
   if (summaries_of_ != recording.input || summaries_by_ != measurer_.finger()) {
     summaries_of_ = recording.input;
     summaries_by_ = measurer_.finger();
-    has_summary_.assign(recording.count, 0);
+    summaries_.assign(recording.count, std::nullopt);
     next_ = 0;
     update_ = {true, {}};
   }
-  if (frame.number < has_summary_.size() && has_summary_[frame.number] == 0) {
-    has_summary_[frame.number] = 1;
-    update_.summaries.push_back(summary_of(frame));
-  }
-  while (next_ < has_summary_.size() && has_summary_[next_] != 0) ++next_;
+  if (frame.number < summaries_.size() && !summaries_[frame.number]) add(summary_of(frame));
+}
+
+void Inspector::add(const FrameSummary& summary) {
+  summaries_[summary.number] = summary;
+  update_.summaries.push_back(summary);
+  while (next_ < summaries_.size() && summaries_[next_]) ++next_;
+}
+
+/// The window forgets the summaries when it opens a recording, also one that is known here.
+void Inspector::resend(std::uint64_t opened) {
+  if (std::exchange(opened_, opened) == opened) return;
+  update_ = {true, {}};
+  for (const auto& summary : summaries_)
+    if (summary) update_.summaries.push_back(*summary);
 }
 
 bool Inspector::scan_next(const Job& job) {
-  if (next_ >= has_summary_.size() || !measurer_.is_open() || summaries_by_ != measurer_.finger() ||
+  if (next_ >= summaries_.size() || !measurer_.is_open() || summaries_by_ != measurer_.finger() ||
       summaries_of_ != measurer_.recording().input)
     return false;
   const auto frame = measurer_.measure(next_, {}, job);
-  if (frame) {
+  if (frame)
     note(*frame);
-  } else {
-    has_summary_[next_] = 1;  // it cannot be read
-    update_.summaries.push_back({next_, {}, {}, {}, false, frame.error().what});
-    ++next_;
-  }
+  else  // it cannot be read
+    add({next_, {}, {}, {}, false, frame.error().what});
   return true;
 }
 

@@ -71,6 +71,7 @@ class Inspection : public QObject {
 struct InspectRequest {
   std::filesystem::path finger;
   std::filesystem::path input;
+  std::uint64_t opened = 0;  ///< number of the opening of `input`
   ComparisonSpec other;
   std::size_t number = 0;
   std::shared_ptr<const LiveView> live;  ///< instead of the recording's frame
@@ -93,13 +94,15 @@ class Inspector {
   [[nodiscard]] bool scan_next(const Job& job);
   /// Summaries since the last call, including those of requested frames.
   struct SummaryUpdate {
-    bool is_from_scratch = false;  ///< earlier summaries are of another recording or finger
+    bool is_from_scratch = false;  ///< earlier summaries are of another opening or finger
     std::vector<FrameSummary> summaries;
   };
   [[nodiscard]] SummaryUpdate update();
 
  private:
   void note(const MeasuredFrame& frame);
+  void add(const FrameSummary& summary);
+  void resend(std::uint64_t opened);
   Result<MeasuredFrame> measured(const InspectRequest& request, const Job& job,
                                  std::optional<RecordingInfo>& recording);
   std::shared_ptr<const InspectedFrame> with_surfaces(MeasuredFrame measured);
@@ -107,9 +110,10 @@ class Inspector {
   FrameMeasurer measurer_;
   std::filesystem::path grid_of_;  // a finger's folder
   cv::Size grid_;                  // the same for all its frames
-  // Frames with a summary, and the recording and finger of these summaries.
-  std::vector<char> has_summary_;
+  // By frame, with the recording and finger of these summaries.
+  std::vector<std::optional<FrameSummary>> summaries_;
   std::size_t next_ = 0;  // all frames before it have one
+  std::uint64_t opened_ = 0;
   std::filesystem::path summaries_of_;
   std::shared_ptr<const FingerSnapshot> summaries_by_;
   SummaryUpdate update_;

@@ -101,7 +101,7 @@ void LiveSession::set_control(const ControlValue& control) {
 void LiveSession::take_view() {
   is_view_pending_ = false;
   auto view = live_finger_->take();
-  if (!view) return;
+  if (!view || inputs_.empty()) return;  // measured after the source was closed
   // A finger's first view may precede the status that reports the finger.
   if (live_finger_->status().state != status_.finger.state) refresh();
   view_ = std::move(view);

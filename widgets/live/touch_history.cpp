@@ -33,20 +33,18 @@ void TouchHistory::add_force(const std::optional<Force>& force, bool is_after_ga
 
 void TouchHistory::add_contact(const std::optional<FingerContact>& contact, bool is_after_gap) {
   const bool was_on = !contacts_.empty() && !contacts_.back().has_ended;
-  // Between the frames one contact may have ended and the next begun.
+  const bool has_duration = contact && contact->held_s;
+  const double began_s = *now_s_ - (has_duration ? *contact->held_s : 0.0);
+  // Between two views one contact may have ended and the next begun.
   const bool is_another =
       contact && was_on &&
-      (is_after_gap || contact->is_new ||
-       (contact->held_s && *now_s_ - *contact->held_s > contacts_.back().to_s + kSlot_s));
+      (contact->is_new || contact->face != contacts_.back().face ||
+       (has_duration ? began_s > contacts_.back().to_s + kSlot_s : is_after_gap));
   if (was_on && (!contact || is_another)) contacts_.back().has_ended = true;
   if (!contact) return;
-  if (!was_on || is_another) {
-    const double held_s = is_after_gap ? 0.0 : contact->held_s.value_or(0.0);
-    contacts_.push_back({*now_s_ - std::min(held_s, kLength_s), *now_s_, contact->face});
-  }
+  if (!was_on || is_another) contacts_.push_back({began_s, *now_s_, contact->face});
   Contact& now = contacts_.back();
   now.to_s = *now_s_;
-  now.face = contact->face;
   if (contact->is_slipping.value_or(false)) add_slip();
 }
 
@@ -106,10 +104,11 @@ struct ContactWords {
   Q_DECLARE_TR_FUNCTIONS(alltact::ContactWords)
 };
 
-QString pushed_face_text(PushedFace face) {
-  switch (face) {
+QString contact_text(const FingerContact& contact) {
+  switch (contact.face) {
     case PushedFace::kContact:
-      return ContactWords::tr("Contact on the contact face");
+      return contact.position ? ContactWords::tr("Contact on the contact face")
+                              : ContactWords::tr("Pushed from the contact face");
     case PushedFace::kBack:
       return ContactWords::tr("Pushed from the back");
     case PushedFace::kUpper:
@@ -127,7 +126,7 @@ QString seconds_text(double value) {
 }
 
 QString contact_head(const FingerContact& contact, const TouchHistory* history) {
-  QString text = QStringLiteral("<b>%1</b>").arg(pushed_face_text(contact.face));
+  QString text = QStringLiteral("<b>%1</b>").arg(contact_text(contact));
   if (history == nullptr || contact.held_s.value_or(0.0) <= 0) return text;
   return text + QStringLiteral(" ") + ContactWords::tr("for %1").arg(seconds_text(*contact.held_s));
 }
@@ -216,7 +215,7 @@ QString contact_words(const FrameResult& result, const TouchHistory* history) {
 
 QString brief_contact_words(const FrameResult& result) {
   QStringList parts;
-  if (result.contact) parts << pushed_face_text(result.contact->face);
+  if (result.contact) parts << contact_text(*result.contact);
   if (result.force && result.force->in_range) {
     const Force& force = *result.force;
     const std::array names{QStringLiteral("Fx %1"), QStringLiteral("Fy %1"),

@@ -70,10 +70,12 @@ CalibratePage::CalibratePage(LiveSession& session, QUndoStack& undo,
 
 void CalibratePage::follow() {
   const FingerStatus& finger = session_.status().finger;
-  const bool has_folder = finger.state == FingerState::kReady && !finger.folder.empty();
-  const auto folder = has_folder && finger.has_reference ? finger.folder : std::filesystem::path();
+  const bool has_presses = finger.state == FingerState::kReady && finger.has_reference;
   // While a finger is loaded again its presses stay.
-  if (finger.state != FingerState::kLoading && folder != collection_.folder()) {
+  const bool is_reloading =
+      finger.state == FingerState::kLoading && finger.folder == collection_.folder();
+  const auto folder = has_presses || is_reloading ? finger.folder : std::filesystem::path();
+  if (folder != collection_.folder()) {
     collection_.open(folder);
     run_.reload();
   }

@@ -248,6 +248,7 @@ std::size_t InspectPage::frame_number() const {
 
 void InspectPage::show_recording() {
   live_->setChecked(options_.recording.empty());
+  opened_with_ = session_.status().finger.folder;
   time_line_->begin(frame_number());
   follow_finger();
   inspection_.open(options_.recording, frame_number());
@@ -278,6 +279,7 @@ void InspectPage::follow_finger() {
   if (!finger.folder.empty()) {
     if (!points_finger_.empty() && points_finger_ != finger.folder) drop_points();
     points_finger_ = finger.folder;
+    if (opened_with_.empty()) opened_with_ = finger.folder;
   }
   if (finger.state != FingerState::kLoading) {
     inspection_.set_finger(finger.folder);
@@ -634,11 +636,25 @@ void InspectPage::show_state() {
   std::vector<Problem> problems;
   const bool is_loading = session_.status().finger.state == FingerState::kLoading;
   if (inspection_.problem() && !is_loading) problems.push_back(Problem::of(*inspection_.problem()));
+  add_other_finger(problems);
   add_pair_problems(problems);
   problems_->set_problems(std::move(problems));
   pair_box_->show_pair(is_recording);
   if (!inspection_.frame()) first_->show_message(empty_reason());
   if (!inspection_.frame() && !options_.second) second_->show_message(empty_reason());
+}
+
+/// A recording of one finger measured as another gives depths that are not those of its contacts.
+void InspectPage::add_other_finger(std::vector<Problem>& problems) {
+  const auto& folder = session_.status().finger.folder;
+  if (options_.recording.empty() || folder.empty() || folder == opened_with_) return;
+  problems.push_back({Meaning::kDoubtful,
+                      tr("The recording was opened with the finger in %1. It is measured with the "
+                         "finger in %2 now.")
+                          .arg(text_of(opened_with_), text_of(folder)),
+                      {},
+                      tr("&Close the recording"),
+                      [this] { go_live(); }});
 }
 
 QString InspectPage::shown_text() const {

@@ -87,6 +87,7 @@ class InspectPage : public Page {
   void show_second();
   void show_state();
   void add_pair_problems(std::vector<Problem>& problems);
+  void add_other_finger(std::vector<Problem>& problems);
   [[nodiscard]] bool is_joint_view() const;
   [[nodiscard]] QString summary_text() const;
   [[nodiscard]] QString title_of(bool is_second) const;
@@ -118,6 +119,7 @@ class InspectPage : public Page {
   QLabel *shown_, *summary_, *saved_, *probe_;
   std::optional<QPointF> pointed_at_;     // pixel under the pointer
   std::filesystem::path points_finger_;   // folder of the finger that A and B lie on
+  std::filesystem::path opened_with_;     // folder of the finger when the recording was opened
   std::shared_ptr<FilmQueue> live_film_;  // while the live finger is filmed
   QTimer summaries_timer_;                // one update for the summaries of many frames
   InspectPane *first_, *second_;

@@ -89,16 +89,22 @@ void FaceMapPlot::draw_cells() {
   scale->setMarginGroup(QCP::msTop | QCP::msBottom, group);
 }
 
+void FaceMapPlot::add_circle(const FaceMapData::Contact& contact, const QPen& pen) {
+  auto* circle = new QCPItemEllipse(&chart());
+  circle->topLeft->setCoords(contact.along_mm - contact.radius_mm,
+                             contact.across_mm - contact.radius_mm);
+  circle->bottomRight->setCoords(contact.along_mm + contact.radius_mm,
+                                 contact.across_mm + contact.radius_mm);
+  circle->setPen(pen);
+}
+
 void FaceMapPlot::draw_contacts() {
   for (const FaceMapData::Contact& contact : data_.contacts) {
-    auto* circle = new QCPItemEllipse(&chart());
-    circle->topLeft->setCoords(contact.along_mm - contact.radius_mm,
-                               contact.across_mm - contact.radius_mm);
-    circle->bottomRight->setCoords(contact.along_mm + contact.radius_mm,
-                                   contact.across_mm + contact.radius_mm);
-    circle->setPen(contact.is_target
-                       ? QPen(series_colour(1, palette()), 3, Qt::DashLine)
-                       : QPen(palette().color(QPalette::Text), contact.is_chosen ? 3 : 1));
+    const int width = contact.is_chosen || contact.is_target ? 3 : 1;
+    // A light line below a dark one, or vice versa, shows on every colour of the map.
+    add_circle(contact, QPen(palette().color(QPalette::Base), width + 2));
+    add_circle(contact, contact.is_target ? QPen(series_colour(1, palette()), width, Qt::DashLine)
+                                          : QPen(palette().color(QPalette::Text), width));
     if (!contact.name.empty())
       add_note(contact.along_mm, contact.across_mm - contact.radius_mm,
                QString::fromStdString(contact.name), Qt::AlignHCenter | Qt::AlignBottom);

@@ -45,6 +45,7 @@ class FaceMapPlot : public Plot {
  private:
   void draw_face();
   void draw_cells();
+  void add_circle(const FaceMapData::Contact& contact, const QPen& pen);
   void draw_contacts();
   [[nodiscard]] std::optional<std::size_t> contact_at(const QPointF& pixel) const;
   FaceMapData data_;

@@ -168,6 +168,9 @@ void Plot::add_note(double x, double y, const QString& text, Qt::Alignment ancho
   note->setText(text);
   note->setFont(font());
   note->setColor(palette().color(QPalette::Text));
+  QColor ground = palette().color(QPalette::Base);  // so that it can be read on dark colours
+  ground.setAlphaF(0.75F);
+  note->setBrush(ground);
   note->setPadding(QMargins(4, 2, 4, 2));
   note->setClipToAxisRect(false);
 }

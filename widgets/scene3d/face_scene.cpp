@@ -13,6 +13,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <fmt/format.h>
 #include <vtkActor.h>
 #include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
@@ -166,7 +167,6 @@ class ColourBar {
   explicit ColourBar(vtkRenderer* renderer) {
     bar_->SetLookupTable(colours_);
     bar_->SetTitle("mm");
-    bar_->SetLabelFormat("%.2f");
     bar_->UnconstrainedFontSizeOn();
     bar_->SetBarRatio(0.28);
     bar_->SetTextPad(4);
@@ -187,7 +187,9 @@ class ColourBar {
     colours_->SetNumberOfTableValues(kSteps);
     colours_->SetTableRange(scale.low_mm, scale.top_mm);
     // As many as make zero one of them.
-    bar_->SetNumberOfLabels(scale.steps < 4 ? 2 * scale.steps + 1 : scale.steps + 1);
+    const int labels = scale.steps < 4 ? 2 * scale.steps + 1 : scale.steps + 1;
+    bar_->SetNumberOfLabels(labels);
+    bar_->SetLabelFormat(fmt::format("%.{}f", scale.label_decimals(labels)).c_str());
     for (int i = 0; i < kSteps; ++i) {
       const MapColour c = scale.colour(static_cast<double>(i) / (kSteps - 1));
       colours_->SetTableValue(i, c.red / 255.0, c.green / 255.0, c.blue / 255.0, 1);

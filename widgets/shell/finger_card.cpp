@@ -223,6 +223,11 @@ QStringList lines_of(const FingerCard& card) {
   return lines;
 }
 
+bool is_only_one_of_its_name(const FingerCard& card, const std::vector<FingerCard>& cards) {
+  return std::count_if(cards.begin(), cards.end(),
+                       [&](const FingerCard& other) { return other.name == card.name; }) == 1;
+}
+
 }  // namespace
 
 FingerCards::FingerCards(QWidget* parent) : Translated(parent), grid_(new QGridLayout(this)) {
@@ -295,9 +300,13 @@ void FingerCards::fit() {
     auto* button = static_cast<QToolButton*>(grid_->itemAt(static_cast<int>(i))->widget());
     const int room =
         std::max(kCardWidth, (width() - grid_->spacing()) / kCardColumns) - kCardTextMargin;
+    const FingerCard& card = cards_[i];
     QStringList lines;
-    for (const QString& line : lines_of(cards_[i]))
+    for (const QString& line : lines_of(card))
       lines << fontMetrics().elidedText(line, Qt::ElideRight, room);
+    if (!is_only_one_of_its_name(card, cards_))
+      lines.insert(1,
+                   elided_path(QString::fromStdString(card.folder.string()), fontMetrics(), room));
     button->setText(lines.join(QLatin1Char('\n')).replace(QLatin1Char('&'), QLatin1String("&&")));
   }
 }

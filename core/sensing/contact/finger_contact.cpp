@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include <Eigen/Dense>
 
@@ -81,20 +82,27 @@ double skin_along_mm(const Markers& markers, const FaceShape& shape) {
   return std::isfinite(mean) ? mean : 0;
 }
 
-/// Of a frame with a contact. `before`: the face of the same contact in the frame before.
-FingerContact contact_of(const ContactEvidence& evidence, std::optional<PushedFace> before) {
+/// Skin that is pressed slightly belongs to a contact that pressed there before, and else to none.
+bool is_pressed(const ContactEvidence& evidence, std::optional<PushedFace> before) {
+  return evidence.indentation && (evidence.depth.value_or(0) > 1 || before == PushedFace::kContact);
+}
+
+/// `before`: the face of the contact in the frame before.
+PushedFace face_of(const ContactEvidence& evidence, std::optional<PushedFace> before) {
+  if (is_pressed(evidence, before)) return PushedFace::kContact;
+  return evidence.deflection ? evidence.deflection->face : before.value_or(PushedFace::kContact);
+}
+
+/// Of a frame with a contact on `face`.
+FingerContact contact_of(const ContactEvidence& evidence, PushedFace face) {
   FingerContact contact;
   const auto& deflection = evidence.deflection;
-  const bool is_pressed =
-      evidence.indentation && (evidence.depth.value_or(0) > 1 || before == PushedFace::kContact);
-  contact.face = is_pressed   ? PushedFace::kContact
-                 : deflection ? deflection->face
-                              : before.value_or(PushedFace::kContact);
+  contact.face = face;
   if (deflection) {
     contact.direction = deflection->direction;
     contact.direction_sd_deg = deflection->direction_sd_deg;
   }
-  if (is_pressed) {
+  if (is_pressed(evidence, face)) {
     contact.position = evidence.indentation->position;
     if (!contact.direction) contact.direction = evidence.indentation->direction;
   } else if (contact.face != PushedFace::kContact) {
@@ -102,7 +110,7 @@ FingerContact contact_of(const ContactEvidence& evidence, std::optional<PushedFa
       contact.no_position = en::say(
           "the markers show from which side the finger is pushed, but not how far from its base: a "
           "push on a side moves them alike wherever it is");
-    else if (deflection && deflection->position)
+    else if (deflection && deflection->face == PushedFace::kBack && deflection->position)
       contact.position = deflection->position;
     else
       contact.no_position = en::say(
@@ -111,7 +119,7 @@ FingerContact contact_of(const ContactEvidence& evidence, std::optional<PushedFa
   } else if (!evidence.depth) {
     contact.no_position = en::say("without a depth there is no position on the contact face");
   } else {
-    contact.no_position = en::say("nothing presses into the visible part of the contact face");
+    contact.no_position = en::say("the visible part of the contact face is not indented");
   }
   return contact;
 }
@@ -177,38 +185,56 @@ std::optional<FingerContact> FingerContactTracker::operator()(
   last_s_ = time_s;
   if (!has_contact_) {
     face_.reset();
+    other_face_s_.reset();
     samples_.clear();
     return std::nullopt;
   }
-  FingerContact contact = contact_of(*seen, face_);
-  contact.is_new = is_new;
+  const bool is_another = changes_face(*seen);
+  FingerContact contact = contact_of(*seen, *face_);
+  contact.is_new = is_new || is_another;
   if (time_s && began_s_) contact.held_s = *time_s - *began_s_;
   contact.is_slipping = is_slipping(*seen);
-  face_ = contact.face;
   return contact;
+}
+
+/// True once `holds` has been true for this duration. `since`: when that began.
+bool FingerContactTracker::holds_for(double duration_s, bool holds, std::optional<double> time_s,
+                                     std::optional<double>& since) const {
+  if (!holds) {
+    since.reset();
+    return false;
+  }
+  if (!time_s || !has_begun_) return true;
+  if (!since) since = time_s;
+  return *time_s - *since >= duration_s;
 }
 
 /// Updates has_contact_. True: it begins now.
 bool FingerContactTracker::begins(const ContactEvidence& seen) {
-  const auto held_for = [&](bool holds, std::optional<double>& since, double duration_s) {
-    if (!holds) {
-      since.reset();
-      return false;
-    }
-    if (!seen.time_s || !has_begun_) return true;
-    if (!since) since = seen.time_s;
-    return *seen.time_s - *since >= duration_s;
-  };
   bool is_new = false;
   if (has_contact_) {
-    if (held_for(seen.strength() < kRelease, weak_s_, kRelease_s)) has_contact_ = false;
-  } else if (held_for(seen.strength() >= 1, strong_s_, kOnset_s)) {
+    if (holds_for(kRelease_s, seen.strength() < kRelease, seen.time_s, weak_s_))
+      has_contact_ = false;
+  } else if (holds_for(kOnset_s, seen.strength() >= 1, seen.time_s, strong_s_)) {
     has_contact_ = is_new = true;
     began_s_ = strong_s_ ? strong_s_ : seen.time_s;
   }
   if (has_contact_) strong_s_.reset();
   if (!has_contact_) weak_s_.reset();
   return is_new;
+}
+
+/// Updates face_ of a frame with a contact. True: another contact begins.
+bool FingerContactTracker::changes_face(const ContactEvidence& seen) {
+  const PushedFace now = face_of(seen, face_);
+  const bool is_first = !face_;
+  const double duration_s = is_pressed(seen, std::nullopt) ? 0 : kRelease_s;
+  if (!is_first && !holds_for(duration_s, now != *face_, seen.time_s, other_face_s_)) return false;
+  face_ = now;
+  if (is_first) return false;
+  began_s_ = std::exchange(other_face_s_, std::nullopt);
+  samples_.clear();
+  return true;
 }
 
 std::optional<bool> FingerContactTracker::is_slipping(const ContactEvidence& seen) {

@@ -135,6 +135,9 @@ struct ContactEvidence {
 /// shows neither has the face of the frame before. The position on the contact face is that of the
 /// first region; on the sides there is none (push.h).
 ///
+/// One contact has one face. Where frames have shown another face for kRelease_s, another contact
+/// begins, with the first of them. A region of strength 1 begins one at once.
+///
 /// The object slips when its position has moved against the skin within kWindow_s by more than
 /// kSlipSds standard deviations and by more than kMinSlip_mm. Growing indentations and the markers'
 /// distance behind the face can cause apparent motion up to kMinSlip_mm. Rolling is reported as
@@ -155,7 +158,10 @@ class FingerContactTracker {
   void forget() { *this = FingerContactTracker(is_continuous_); }
 
  private:
+  [[nodiscard]] bool holds_for(double duration_s, bool holds, std::optional<double> time_s,
+                               std::optional<double>& since) const;
   [[nodiscard]] bool begins(const ContactEvidence& seen);
+  [[nodiscard]] bool changes_face(const ContactEvidence& seen);
   [[nodiscard]] std::optional<bool> is_slipping(const ContactEvidence& seen);
 
   struct Sample {
@@ -167,7 +173,7 @@ class FingerContactTracker {
   bool has_begun_ = false, has_contact_ = false;
   std::optional<PushedFace> face_;  // of the present contact
   std::optional<double> last_s_, began_s_;
-  std::optional<double> strong_s_, weak_s_;  // since when
+  std::optional<double> strong_s_, weak_s_, other_face_s_;  // since when
   std::deque<Sample> samples_;
 };
 

@@ -76,6 +76,44 @@ TEST(SourceRunner, PublishesEveryFrameAndSaysThatItEnded) {
   }
 }
 
+/// Frames taken 30 times a second, of which it gives one every `period`.
+class TimedSource : public Source {
+ public:
+  explicit TimedSource(std::chrono::milliseconds period) : period_(period) {}
+  Result<FramePtr> next() override {
+    std::this_thread::sleep_for(period_);
+    auto frame = std::make_shared<Frame>();
+    frame->grey = cv::Mat(48, 64, CV_8UC1, cv::Scalar(100));
+    frame->origin = "timed";
+    frame->sequence = number_++;
+    frame->time_ns = static_cast<std::int64_t>(frame->sequence) * 1'000'000'000 / 30;
+    return FramePtr(frame);
+  }
+  [[nodiscard]] std::optional<std::size_t> count() const override { return std::nullopt; }
+  [[nodiscard]] bool is_continuous() const override { return true; }
+
+ private:
+  std::chrono::milliseconds period_;
+  std::uint64_t number_ = 0;
+};
+
+TEST(SourceRunner, ReportsTheRateOfTheFramesTimesWhileItCatchesUp) {
+  for (const auto period : {1ms, 100ms}) {
+    FrameHub hub;
+    SourceRunner runner(hub, [=](const auto&, const SourceOptions&) {
+      return Result<std::unique_ptr<Source>>(std::make_unique<TimedSource>(period));
+    });
+    runner.open({"timed"});
+    ASSERT_TRUE(comes_true([&] { return runner.status().frames_per_s > 0; }));
+    const SourceStatus status = runner.status();
+    EXPECT_EQ(status.is_catching_up, period == 1ms);
+    if (period == 1ms)
+      EXPECT_NEAR(status.frames_per_s, 30, 1e-3);
+    else
+      EXPECT_LE(status.frames_per_s, 10.1) << "it falls behind";
+  }
+}
+
 TEST(SourceRunner, SaysWhyASourceCannotBeOpenedAndGoesOnWithAnother) {
   FrameHub hub;
   std::atomic<bool> is_there{false};

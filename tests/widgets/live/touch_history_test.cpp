@@ -88,6 +88,26 @@ TEST(TouchHistoryTest, TellsContactsApartAlsoThoseThatEndedBetweenTwoViews) {
   EXPECT_FALSE(history.contacts()[2].has_ended);
 }
 
+TEST(TouchHistoryTest, AContactLastsAsLongAsItsFramesStated) {
+  TouchHistory history;
+  double stated_s = 0;
+  const auto add = [&](PushedFace face, double time_s, double held_s) {
+    FrameResult result = felt(std::nullopt, true);
+    result.contact->face = face;
+    result.contact->held_s = stated_s = held_s;
+    history.add(result, time_s);
+  };
+  // A slow window gets a view every two seconds of a contact of 210 s.
+  for (int i = 0; i <= 5; ++i) add(PushedFace::kBack, 200 + 2 * i, 200.5 + 2 * i);
+  ASSERT_EQ(history.contacts().size(), 1U);
+  EXPECT_NEAR(history.contacts()[0].to_s - history.contacts()[0].from_s, stated_s, 1e-9);
+  add(PushedFace::kUpper, 212, 1.5);
+  ASSERT_EQ(history.contacts().size(), 2U);
+  EXPECT_TRUE(history.contacts()[0].has_ended);
+  EXPECT_EQ(history.contacts()[0].face, PushedFace::kBack);
+  EXPECT_NEAR(history.contacts()[1].to_s - history.contacts()[1].from_s, 1.5, 1e-9);
+}
+
 TEST(TouchHistoryTest, RemembersThatAContactSlipped) {
   TouchHistory history;
   FrameResult slipping = felt(std::nullopt, true);

@@ -230,6 +230,12 @@ TEST(ContactWordsTest, TellWhereHowAndThatItSlips) {
   EXPECT_THAT(after, HasSubstr("It slipped."));
   result.reference.reset();
   EXPECT_THAT(contact_words(result, nullptr).toStdString(), HasSubstr("reference recording"));
+  contact = {};
+  contact.no_position = en::say("the visible part of the contact face is not indented");
+  result.contact = contact;
+  const std::string bent = contact_words(result, nullptr).toStdString();
+  EXPECT_THAT(bent, HasSubstr("Pushed from the contact face"));
+  EXPECT_EQ(bent.find("Contact on"), std::string::npos) << "no contact is seen there";
   EXPECT_EQ(number_and_sd(-0.001, 0.002, 2).toStdString(), "0.00 ± under 0.01");
   EXPECT_EQ(number_and_sd(17.549, 0.0, 3).toStdString(), "17.549 ± unknown");
   EXPECT_EQ(limit_and_sd(1.5, 0.04, 2).toStdString(), "at least 1.50 ± 0.04");

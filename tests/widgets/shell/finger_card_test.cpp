@@ -243,6 +243,26 @@ TEST_F(AFingersCard, StandsAmongOthersAndOpensItsFinger) {
   EXPECT_TRUE(button->text().contains("Due: a check"));
   QTest::mouseClick(button, Qt::LeftButton);
   EXPECT_EQ(chosen.toStdString(), folder_.path().string());
+  EXPECT_FALSE(button->text().contains(QString::fromStdString(folder_.path().filename().string())));
+  // Of two fingers of one name the folders differ.
+  const test::TemporaryFolder shelf;
+  std::filesystem::copy(folder_.path(), shelf / "copy", std::filesystem::copy_options::recursive);
+  cards.resize(900, 400);
+  cards.set_fingers({folder_.path(), shelf / "copy"});
+  std::string texts;
+  const auto are_both_shown = [&] {
+    int shown = 0;
+    texts.clear();
+    for (const QToolButton* each : cards.findChildren<QToolButton*>()) {
+      if (each->isHidden()) continue;
+      texts += each->text().toStdString() + "; ";
+      ++shown;
+    }
+    return shown == 2;
+  };
+  ASSERT_TRUE(QTest::qWaitFor(are_both_shown));
+  EXPECT_THAT(texts, HasSubstr("/copy"));
+  EXPECT_THAT(texts, HasSubstr("/" + folder_.path().filename().string()));
   // It is not there any more.
   std::filesystem::remove(folder_ / "finger.yaml");
   cards.set_fingers({folder_.path()});

@@ -108,6 +108,48 @@ TEST(FingerContactTracker, APauseOrTimeGoingBackBeginsAnew) {
   }
 }
 
+ContactEvidence deflected(double time_s, PushedFace face) {
+  ContactEvidence seen = strong(time_s, 4);
+  seen.deflection = {face, Eigen::Vector3d::UnitY(), 1.0, std::nullopt};
+  return seen;
+}
+
+TEST(FingerContactTracker, AnotherFaceIsAnotherContact) {
+  FingerContactTracker contacts;
+  constexpr double kRate = 100;
+  // From the back for 3 s, then from the upper side for 2 s; one frame of each shows the other.
+  const auto truth = [](int i) { return i < 300 ? PushedFace::kBack : PushedFace::kUpper; };
+  int began = 0;
+  double longest_s = 0;
+  for (int i = 0; i < 500; ++i) {
+    const bool is_stray = i == 150 || i == 400;
+    const auto seen = contacts(deflected(i / kRate, truth(is_stray ? 500 - i : i)));
+    ASSERT_TRUE(seen) << i;
+    began += seen->is_new;
+    longest_s = std::max(longest_s, seen->held_s.value());
+    if (i < 300 || i >= 300 + kRate * FingerContactTracker::kRelease_s + 1) {
+      EXPECT_EQ(seen->face, truth(i)) << i;
+      EXPECT_NEAR(seen->held_s.value(), (i - (i < 300 ? 0 : 300)) / kRate, 1e-9) << i;
+    }
+  }
+  EXPECT_EQ(began, 2);
+  EXPECT_LT(longest_s, 3.1);
+}
+
+TEST(FingerContactTracker, PressedSkinBeginsAContactAtOnce) {
+  FingerContactTracker contacts;
+  for (int i = 0; i < 90; ++i) (void)contacts(deflected(i / 30.0, PushedFace::kLower));
+  ContactEvidence pressed = deflected(3.0, PushedFace::kLower);
+  pressed.depth = 2;
+  pressed.indentation.emplace();
+  pressed.indentation->position.along_mm = 46;
+  const auto contact = contacts(pressed);
+  ASSERT_TRUE(contact && contact->position);
+  EXPECT_EQ(contact->face, PushedFace::kContact);
+  EXPECT_TRUE(contact->is_new);
+  EXPECT_EQ(contact->held_s, 0);
+}
+
 // The share of frames told as slipping, of a simulated push, its place told with that noise.
 struct Slips {
   int slipping = 0, frames = 0;
