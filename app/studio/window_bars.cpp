@@ -204,6 +204,7 @@ void StatusLine::follow() {
   show_source(status.source, status.shown_per_s);
   age_->show_age(status.age_ms);
   time_->setText(tr("%1 ms per frame").arg(locale.toString(session_.times_ms().total, 'f', 1)));
+  layout()->activate();  // a text that has grown is painted with its own width
 }
 
 void StatusLine::show_source(const SourceStatus& source, double shown_per_s) {
