@@ -39,6 +39,7 @@ Stopped calibrate_until(const FlatFinger& flat, int count) {
   });
   self = &job;
   auto result = calibrate_finger(input, job);
+  if (result) result->solution.reset();  // the next calibration shall solve, too
   return {std::move(result), reports};
 }
 
