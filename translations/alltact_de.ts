@@ -5747,6 +5747,14 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
 <context>
     <name>alltact::en</name>
     <message>
+        <source>only the joint method is compared with others</source>
+        <translation>nur das gemeinsame Verfahren wird mit anderen verglichen</translation>
+    </message>
+    <message>
+        <source>leaving --compare out, or --method joint</source>
+        <translation>--compare weglassen, oder --method joint</translation>
+    </message>
+    <message>
         <source>stopped; the finger is unchanged</source>
         <translation>angehalten; der Finger ist unverändert</translation>
     </message>

@@ -5708,6 +5708,14 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
 <context>
     <name>alltact::en</name>
     <message>
+        <source>only the joint method is compared with others</source>
+        <translation>只有联合法才与其他方法比较</translation>
+    </message>
+    <message>
+        <source>leaving --compare out, or --method joint</source>
+        <translation>去掉 --compare，或使用 --method joint</translation>
+    </message>
+    <message>
         <source>stopped; the finger is unchanged</source>
         <translation>已停止；手指未改变</translation>
     </message>

@@ -67,10 +67,10 @@ struct CalibrateOptions {
   std::function<void(PressSet&)> annotate_presses;
   CalibrationSettings calibration;
   PipelineSettings pipeline;
+  bool compare_methods = false;       ///< with others, which is for the joint one only
   bool again = false;                 ///< from the data stored with the finger, and with it:
   std::string date;                   ///< empty: now
   std::vector<std::string> included;  ///< names that are excluded no longer
-  bool compare_methods = false;
   /// Applies the given settings to the stored ones; may be empty.
   std::function<void(CalibrationSettings&, PipelineSettings&)> change;
 };

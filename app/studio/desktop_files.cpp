@@ -29,6 +29,12 @@ void DesktopFiles::open(const QUrl& file) {
   }
   auto* process = new QProcess;  // without a parent: the opened program outlives the window
   connect(process, &QProcess::finished, process, &QObject::deleteLater);
+  connect(process, &QProcess::errorOccurred, this,
+          [this, process, file](QProcess::ProcessError error) {
+            if (error != QProcess::FailedToStart) return;  // which never finishes
+            process->deleteLater();
+            Q_EMIT failed(nothing_opens(file));
+          });
   connect(process, &QProcess::finished, this, [this, file](int code, QProcess::ExitStatus status) {
     if (code != 0 || status != QProcess::NormalExit) Q_EMIT failed(nothing_opens(file));
   });

@@ -402,11 +402,13 @@ Status solve_presses(FingerCalibration& done, const MeasureAsPaper& as_paper, co
                   [](const auto& entry) { return entry.second.depth || !entry.second.is_ball(); }))
     return Error{en::say("only the joint method uses measured depths and bodies other than balls"),
                  "", en::say("leaving them out, or --method joint")};
+  if (inputs.calibration.method != CalibrationMethod::kJoint && as_paper)
+    return Error{en::say("only the joint method is compared with others"), "",
+                 en::say("leaving --compare out, or --method joint")};
   if (used.empty())
     return Error{en::clauses({en::say("no press can be used"), en::clauses(left_out)}), "",
                  en::say("images of this finger with a ball pressed into its face")};
-  const bool compares = as_paper && done.inputs.calibration.method == CalibrationMethod::kJoint;
-  const double by_solving = compares ? 0.5 : 1.0;  // part of the time
+  const double by_solving = as_paper ? 0.5 : 1.0;  // part of the time
   job.report(0, en::say("solving"));
   const auto camera = Camera::create(done.finger.camera);
   if (!camera) return camera.error();
@@ -467,7 +469,7 @@ Status solve_presses(FingerCalibration& done, const MeasureAsPaper& as_paper, co
   CalibrationEvidence evidence = evidence_of(solved);
   evidence.reference_is_newer = false;  // this calibration is made now
   done.verdict = verdict(evidence);
-  if (compares && !job.stop_requested()) {
+  if (as_paper && !job.stop_requested()) {
     job.report(by_solving, en::say("comparing with other methods"));
     done.methods = compare_methods(used, as_paper(Job(job, by_solving, 0.8)), *camera,
                                    done.finger.face, done.calibration, Job(job, 0.8, 1));

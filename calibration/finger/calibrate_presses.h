@@ -79,10 +79,10 @@ using MeasureAsPaper = std::function<Result<std::vector<Press>>(const Job&)>;
 /// Calibrates with the presses of `done` that are not left out, and fills its residuals, zones,
 /// signs of a fault, verdict and remarks. The same presses, notes and settings are solved once: as
 /// long as anybody in this program holds that solution, it is used again. The presses' references
-/// are released. `as_paper`: the
-/// same presses measured by the source paper's method; called only for a comparison of methods.
-/// `on_round`: see calibrate(). Errors: no usable press; those of calibrate(); a method that does
-/// not support the notes on the presses.
+/// are released. `as_paper`: the same presses measured by the source paper's method, for a
+/// comparison of methods; empty: none is made. `on_round`: see calibrate(). Errors: no usable
+/// press; those of calibrate(); a method that does not support the notes on the presses, or is not
+/// compared with others.
 [[nodiscard]] Status solve_presses(FingerCalibration& done, const MeasureAsPaper& as_paper,
                                    const Job& job, const RoundListener& on_round);
 

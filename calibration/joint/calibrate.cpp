@@ -656,14 +656,13 @@ std::vector<MethodRow> compare_methods(const std::vector<Press>& presses,
                                        const Camera& camera, const Face& face,
                                        const Calibration& joint, const Job& job) {
   std::vector<MethodRow> rows{row_of(CalibrationMethod::kJoint, joint, joint)};
-  double done = 0;
   for (const CalibrationMethod method :
        {CalibrationMethod::kPaper, CalibrationMethod::kCircle, CalibrationMethod::kCone}) {
     CalibrationSettings settings;
     settings.method = method;
     const bool is_paper = method == CalibrationMethod::kPaper;
-    const Job section(job, done, done + 1.0 / 3);
-    done += 1.0 / 3;
+    const double made_before = static_cast<double>(rows.size() - 1);
+    const Job section(job, made_before / 3, (made_before + 1) / 3);
     const auto made = is_paper && !as_paper ? Result<Calibration>(as_paper.error())
                                             : calibrate(is_paper ? *as_paper : presses, camera,
                                                         face, settings, section);

@@ -85,6 +85,13 @@ TEST_F(Repetition, ComparesWithOtherMethodsWhereAsked) {
     }
 }
 
+TEST_F(Repetition, ComparesTheJointMethodAlone) {
+  const ProgramRun run = again({"--compare", "--method", "circle"});
+  EXPECT_EQ(run.status, 1);
+  EXPECT_THAT(run.errors, HasSubstr("only the joint method is compared with others"));
+  EXPECT_EQ(contents_of(flat_.finger()), before_);
+}
+
 TEST_F(Repetition, KnowsWhichPressWasMadeWithAnotherBall) {
   const ProgramRun other = again({"--other-ball", "press_2=4.2"});
   ASSERT_EQ(other.status, 0) << other.errors;

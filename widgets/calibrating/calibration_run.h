@@ -35,8 +35,9 @@ class CalibrationRun : public QObject {
   void start();
   /// Compares the current calibration with other methods, for result()->methods and the report.
   void compare();
+  /// Not while a report is written, which a comparison that is stopped would leave unwritten.
   [[nodiscard]] bool can_compare() const {
-    return can_start() && state() == CalibrationState::kCurrent &&
+    return can_start() && !is_writing_report() && state() == CalibrationState::kCurrent &&
            now_.inputs->calibration.method == CalibrationMethod::kJoint;
   }
   /// Stops the run and takes its best solution so far, where there is one; a comparison is
