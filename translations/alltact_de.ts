@@ -400,10 +400,6 @@
         <translation>Kalibrieren Sie ihn mit Kugeleindrücken.</translation>
     </message>
     <message>
-        <source>&amp;Go to Calibrate</source>
-        <translation>&amp;Zu Kalibrieren</translation>
-    </message>
-    <message>
         <source>Calibrate</source>
         <translation>Kalibrieren</translation>
     </message>
@@ -439,7 +435,7 @@
     </message>
     <message>
         <source>&amp;Begin again</source>
-        <translation>Von vorn &amp;beginnen</translation>
+        <translation>&amp;Von vorn beginnen</translation>
     </message>
     <message>
         <source>&amp;Check now</source>
@@ -1051,6 +1047,10 @@
 <context>
     <name>alltact::FileFilter</name>
     <message>
+        <source>Images (*.png *.jpg *.jpeg *.bmp *.tif *.tiff *.pgm)</source>
+        <translation>Bilder (*.png *.jpg *.jpeg *.bmp *.tif *.tiff *.pgm)</translation>
+    </message>
+    <message>
         <source>Videos (%1)</source>
         <translation>Videos (%1)</translation>
     </message>
@@ -1061,6 +1061,10 @@
 </context>
 <context>
     <name>alltact::FingerCards</name>
+    <message>
+        <source>Due: its untouched image</source>
+        <translation>Fällig: sein Bild ohne Berührung</translation>
+    </message>
     <message>
         <source>Not calibrated yet</source>
         <translation>Noch nicht kalibriert</translation>
@@ -1256,6 +1260,14 @@
 <context>
     <name>alltact::FingerPage</name>
     <message>
+        <source>Untouched image from a &amp;file…</source>
+        <translation>Bild ohne Berührung aus &amp;Datei…</translation>
+    </message>
+    <message>
+        <source>Untouched image</source>
+        <translation>Bild ohne Berührung</translation>
+    </message>
+    <message>
         <source>A flat, rigid sensor with a layer of %1 mm, %2 mm from the camera.</source>
         <translation>Ein ebener, starrer Sensor mit einer Schicht von %1 mm, %2 mm vor der Kamera.</translation>
     </message>
@@ -1329,7 +1341,7 @@
     </message>
     <message>
         <source>&amp;Width of the face</source>
-        <translation>&amp;Breite der Fläche</translation>
+        <translation>B&amp;reite der Fläche</translation>
     </message>
     <message>
         <source>Width of the face</source>
@@ -1337,7 +1349,7 @@
     </message>
     <message>
         <source>&amp;Layer thickness</source>
-        <translation>&amp;Dicke der Schicht</translation>
+        <translation>Di&amp;cke der Schicht</translation>
     </message>
     <message>
         <source>Layer thickness</source>
@@ -1882,7 +1894,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>continue the last inspection</source>
-        <translation>die letzte Prüfung fortsetzen</translation>
+        <translation>die letzte Auswertung fortsetzen</translation>
     </message>
     <message>
         <source>inspect the live finger</source>
@@ -1922,15 +1934,15 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>Inspect</source>
-        <translation>Prüfen</translation>
+        <translation>Auswerten</translation>
     </message>
     <message>
         <source>&amp;Inspect</source>
-        <translation>&amp;Prüfen</translation>
+        <translation>A&amp;uswerten</translation>
     </message>
     <message>
         <source>Vide&amp;o…</source>
-        <translation>Vide&amp;o…</translation>
+        <translation>Vid&amp;eo…</translation>
     </message>
     <message>
         <source>Folder of &amp;images…</source>
@@ -2251,7 +2263,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>&amp;Choose…</source>
-        <translation>&amp;Wählen…</translation>
+        <translation>Wähl&amp;en…</translation>
     </message>
     <message>
         <source>Choose a camera file</source>
@@ -2263,7 +2275,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>Ima&amp;ges</source>
-        <translation>&amp;Bilder</translation>
+        <translation>Bi&amp;lder</translation>
     </message>
     <message>
         <source>Folder of board images, or a recording</source>
@@ -2335,11 +2347,11 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>&amp;Take this board (Space)</source>
-        <translation>Diese &amp;Tafel aufnehmen (Leertaste)</translation>
+        <translation>Diese Tafel auf&amp;nehmen (Leertaste)</translation>
     </message>
     <message>
-        <source>Automat&amp;ically when new and still</source>
-        <translation>Automati&amp;sch, wenn neu und ruhig</translation>
+        <source>Automatically when ne&amp;w and still</source>
+        <translation>Automatisch, wenn neu &amp;und ruhig</translation>
     </message>
     <message>
         <source>Takes the board when it is held still at a new position or tilt</source>
@@ -2547,7 +2559,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Überlagerungen</translation>
     </message>
     <message>
-        <source>&amp;Edges of the face</source>
+        <source>Edges &amp;of the face</source>
         <translation>&amp;Kanten der Fläche</translation>
     </message>
     <message>
@@ -2575,7 +2587,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Nach rechts fallende Streifen: zu hell zum Messen. Nach links fallende: zu dunkel.</translation>
     </message>
     <message>
-        <source>Colours &amp;end at</source>
+        <source>Colours e&amp;nd at</source>
         <translation>Farben &amp;enden bei</translation>
     </message>
     <message>
@@ -2745,16 +2757,36 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
 <context>
     <name>alltact::MappingPage</name>
     <message>
+        <source>A ball in the layer, seen from its side</source>
+        <translation>Eine Kugel in der Schicht, von der Seite gesehen</translation>
+    </message>
+    <message>
+        <source>Clear silicone</source>
+        <translation>Klares Silikon</translation>
+    </message>
+    <message>
+        <source>Untouched face</source>
+        <translation>Unberührte Fläche</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>Layer thickness</source>
+        <translation>Schichtdicke</translation>
+    </message>
+    <message>
+        <source>Ball</source>
+        <translation>Kugel</translation>
+    </message>
+    <message>
         <source>&amp;Stop</source>
         <translation>&amp;Anhalten</translation>
     </message>
     <message>
         <source>Retains the best solution so far</source>
         <translation>Behält die bisher beste Lösung bei</translation>
-    </message>
-    <message>
-        <source>Calibration log</source>
-        <translation>Kalibrierprotokoll</translation>
     </message>
     <message>
         <source>Progress of the calibration</source>
@@ -2908,6 +2940,50 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
 </context>
 <context>
     <name>alltact::NewFingerDialog</name>
+    <message>
+        <source>Untouched image</source>
+        <translation>Bild ohne Berührung</translation>
+    </message>
+    <message>
+        <source>&amp;Untouched image</source>
+        <translation>Bild ohne &amp;Berührung</translation>
+    </message>
+    <message>
+        <source>&amp;Size of a pixel</source>
+        <translation>&amp;Größe eines Pixels</translation>
+    </message>
+    <message>
+        <source>from the camera file</source>
+        <translation>aus der Kameradatei</translation>
+    </message>
+    <message>
+        <source>On the face, for a camera that looks straight at it</source>
+        <translation>Auf der Fläche, für eine Kamera, die senkrecht auf sie blickt</translation>
+    </message>
+    <message>
+        <source>Choose the untouched image</source>
+        <translation>Das Bild ohne Berührung wählen</translation>
+    </message>
+    <message>
+        <source>The finger is not made yet. Discard what was entered?</source>
+        <translation>Der Finger ist noch nicht angelegt. Eingaben verwerfen?</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Verwerfen</translation>
+    </message>
+    <message>
+        <source>&amp;Go on</source>
+        <translation>&amp;Weiter eingeben</translation>
+    </message>
+    <message>
+        <source>The camera is not described.</source>
+        <translation>Die Kamera ist nicht beschrieben.</translation>
+    </message>
+    <message>
+        <source>Choose its file, or enter the size of a pixel and choose the untouched image.</source>
+        <translation>Wählen Sie ihre Datei, oder geben Sie die Größe eines Pixels ein und wählen Sie das Bild ohne Berührung.</translation>
+    </message>
     <message>
         <source>New finger</source>
         <translation>Neuer Finger</translation>
@@ -3276,11 +3352,11 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>Point &amp;A</source>
-        <translation>Punkt &amp;A</translation>
+        <translation>&amp;Punkt A</translation>
     </message>
     <message>
         <source>Point &amp;B</source>
-        <translation>Punkt &amp;B</translation>
+        <translation>Pu&amp;nkt B</translation>
     </message>
     <message>
         <source>Point A, along the finger</source>
@@ -3493,7 +3569,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Wieder &amp;nutzen</translation>
     </message>
     <message>
-        <source>Leave &amp;out</source>
+        <source>Leave o&amp;ut</source>
         <translation>A&amp;uslassen</translation>
     </message>
 </context>
@@ -3782,7 +3858,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>&amp;Add images…</source>
-        <translation>Bilder &amp;hinzufügen…</translation>
+        <translation>Bilder hin&amp;zufügen…</translation>
     </message>
     <message>
         <source>Re&amp;move</source>
@@ -3822,7 +3898,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>&amp;Operator</source>
-        <translation>&amp;Wer misst</translation>
+        <translation>Wer m&amp;isst</translation>
     </message>
     <message>
         <source>Operator</source>
@@ -3891,10 +3967,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>Images of presses</source>
         <translation>Bilder von Eindrücken</translation>
-    </message>
-    <message>
-        <source>Images (*.png *.jpg *.jpeg *.bmp *.tif *.tiff *.pgm)</source>
-        <translation>Bilder (*.png *.jpg *.jpeg *.bmp *.tif *.tiff *.pgm)</translation>
     </message>
     <message>
         <source>Try: %1.</source>
@@ -4157,8 +4229,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Aufgenommenes Video</translation>
     </message>
     <message>
-        <source>&amp;File</source>
-        <translation>&amp;Datei</translation>
+        <source>Fi&amp;le</source>
+        <translation>Dat&amp;ei</translation>
     </message>
     <message>
         <source>Recording file</source>
@@ -4437,7 +4509,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Verschiebt dieses Video in den Papierkorb und nimmt ein neues auf.</translation>
     </message>
     <message>
-        <source>Install an existing &amp;video…</source>
+        <source>Install an e&amp;xisting video…</source>
         <translation>Vorhandenes &amp;Video einrichten…</translation>
     </message>
     <message>
@@ -5003,12 +5075,12 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>&amp;Simulierter Finger</translation>
     </message>
     <message>
-        <source>&amp;Video file…</source>
+        <source>Vi&amp;deo file…</source>
         <translation>&amp;Videodatei…</translation>
     </message>
     <message>
         <source>Folder of &amp;images…</source>
-        <translation>Ordner mit &amp;Bildern…</translation>
+        <translation>Ordner mit Bi&amp;ldern…</translation>
     </message>
     <message>
         <source>&amp;Open a finger…</source>
@@ -5040,7 +5112,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>&amp;Try with a simulated finger</source>
-        <translation>Mit simuliertem Finger &amp;ausprobieren</translation>
+        <translation>Mit simuliertem Finger aus&amp;probieren</translation>
     </message>
     <message>
         <source>A full day in five minutes: record, press, calibrate and check a simulated finger</source>
@@ -5048,7 +5120,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>&amp;All fingers…</source>
-        <translation>&amp;Alle Finger…</translation>
+        <translation>Alle Finge&amp;r…</translation>
     </message>
     <message>
         <source>Verdict and due steps of each, in one list</source>
@@ -5210,6 +5282,10 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
 <context>
     <name>alltact::Tutorial</name>
     <message>
+        <source>Wait:</source>
+        <translation>Bitte warten:</translation>
+    </message>
+    <message>
         <source>A day with a simulated finger</source>
         <translation>Ein Tag mit einem simulierten Finger</translation>
     </message>
@@ -5231,7 +5307,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>Go to &amp;Inspect</source>
-        <translation>Zu &amp;Prüfen</translation>
+        <translation>Zu A&amp;uswerten</translation>
     </message>
     <message>
         <source>Go to &amp;Calibrate</source>
@@ -5297,7 +5373,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>&amp;Open the report</source>
-        <translation>&amp;Bericht öffnen</translation>
+        <translation>Bericht ö&amp;ffnen</translation>
     </message>
     <message>
         <source>Copy as command &amp;line</source>
@@ -5337,7 +5413,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>&amp;Print…</source>
-        <translation>&amp;Drucken…</translation>
+        <translation>Dru&amp;cken…</translation>
     </message>
     <message>
         <source>One sheet to store with the finger, on paper or as PDF</source>
@@ -5525,7 +5601,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>&amp;Tiefe überhöhen</translation>
     </message>
     <message>
-        <source>Fin&amp;ger&apos;s body</source>
+        <source>Finger&apos;s bod&amp;y</source>
         <translation>&amp;Körper des Fingers</translation>
     </message>
     <message>
@@ -5534,11 +5610,11 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>Ca&amp;mera</source>
-        <translation>Ka&amp;mera</translation>
+        <translation>Kame&amp;ra</translation>
     </message>
     <message>
-        <source>Untou&amp;ched face</source>
-        <translation>Unbe&amp;rührte Fläche</translation>
+        <source>Untouched face</source>
+        <translation>Unberührte Fläche</translation>
     </message>
     <message>
         <source>View</source>
@@ -5655,14 +5731,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
 </context>
 <context>
     <name>alltact::Workspace</name>
-    <message>
-        <source>close the finger</source>
-        <translation>Finger schließen</translation>
-    </message>
-    <message>
-        <source>open finger %1</source>
-        <translation>Finger %1 öffnen</translation>
-    </message>
     <message>
         <source>close the source</source>
         <translation>Quelle schließen</translation>

@@ -398,10 +398,6 @@
         <translation>请用球按压进行标定。</translation>
     </message>
     <message>
-        <source>&amp;Go to Calibrate</source>
-        <translation>转到标定(&amp;G)</translation>
-    </message>
-    <message>
         <source>Calibrate</source>
         <translation>标定</translation>
     </message>
@@ -1042,6 +1038,10 @@
 <context>
     <name>alltact::FileFilter</name>
     <message>
+        <source>Images (*.png *.jpg *.jpeg *.bmp *.tif *.tiff *.pgm)</source>
+        <translation>图像 (*.png *.jpg *.jpeg *.bmp *.tif *.tiff *.pgm)</translation>
+    </message>
+    <message>
         <source>Videos (%1)</source>
         <translation>视频 (%1)</translation>
     </message>
@@ -1052,6 +1052,10 @@
 </context>
 <context>
     <name>alltact::FingerCards</name>
+    <message>
+        <source>Due: its untouched image</source>
+        <translation>待办：未触碰的图像</translation>
+    </message>
     <message>
         <source>Not calibrated yet</source>
         <translation>尚未标定</translation>
@@ -1243,6 +1247,14 @@
 </context>
 <context>
     <name>alltact::FingerPage</name>
+    <message>
+        <source>Untouched image from a &amp;file…</source>
+        <translation>从文件打开未触碰的图像(&amp;F)…</translation>
+    </message>
+    <message>
+        <source>Untouched image</source>
+        <translation>未触碰的图像</translation>
+    </message>
     <message>
         <source>A flat, rigid sensor with a layer of %1 mm, %2 mm from the camera.</source>
         <translation>平面刚性传感器：层厚 %1 mm，距相机 %2 mm。</translation>
@@ -2326,8 +2338,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>采集这块板(&amp;T)（空格键）</translation>
     </message>
     <message>
-        <source>Automat&amp;ically when new and still</source>
-        <translation>位置新且静止时自动采集(&amp;I)</translation>
+        <source>Automatically when ne&amp;w and still</source>
+        <translation>位置新且静止时自动采集(&amp;W)</translation>
     </message>
     <message>
         <source>Takes the board when it is held still at a new position or tilt</source>
@@ -2535,8 +2547,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>图像叠加</translation>
     </message>
     <message>
-        <source>&amp;Edges of the face</source>
-        <translation>接触面边缘(&amp;E)</translation>
+        <source>Edges &amp;of the face</source>
+        <translation>接触面边缘(&amp;O)</translation>
     </message>
     <message>
         <source>&amp;Markers with numbers</source>
@@ -2563,8 +2575,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>向右下的条纹：过亮，无法测量。向左下的条纹：过暗。</translation>
     </message>
     <message>
-        <source>Colours &amp;end at</source>
-        <translation>颜色上限(&amp;E)</translation>
+        <source>Colours e&amp;nd at</source>
+        <translation>颜色上限(&amp;N)</translation>
     </message>
     <message>
         <source> mm</source>
@@ -2733,16 +2745,36 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
 <context>
     <name>alltact::MappingPage</name>
     <message>
+        <source>A ball in the layer, seen from its side</source>
+        <translation>压入弹性层的球，侧视图</translation>
+    </message>
+    <message>
+        <source>Clear silicone</source>
+        <translation>透明硅胶</translation>
+    </message>
+    <message>
+        <source>Untouched face</source>
+        <translation>未触碰的表面</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>深度</translation>
+    </message>
+    <message>
+        <source>Layer thickness</source>
+        <translation>弹性层厚度</translation>
+    </message>
+    <message>
+        <source>Ball</source>
+        <translation>球</translation>
+    </message>
+    <message>
         <source>&amp;Stop</source>
         <translation>停止(&amp;S)</translation>
     </message>
     <message>
         <source>Retains the best solution so far</source>
         <translation>保留目前最好的解</translation>
-    </message>
-    <message>
-        <source>Calibration log</source>
-        <translation>标定日志</translation>
     </message>
     <message>
         <source>Progress of the calibration</source>
@@ -2895,6 +2927,50 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
 </context>
 <context>
     <name>alltact::NewFingerDialog</name>
+    <message>
+        <source>Untouched image</source>
+        <translation>未触碰的图像</translation>
+    </message>
+    <message>
+        <source>&amp;Untouched image</source>
+        <translation>未触碰的图像(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Size of a pixel</source>
+        <translation>像素尺寸(&amp;S)</translation>
+    </message>
+    <message>
+        <source>from the camera file</source>
+        <translation>取自相机文件</translation>
+    </message>
+    <message>
+        <source>On the face, for a camera that looks straight at it</source>
+        <translation>表面上的尺寸，适用于正对表面的相机</translation>
+    </message>
+    <message>
+        <source>Choose the untouched image</source>
+        <translation>选择未触碰的图像</translation>
+    </message>
+    <message>
+        <source>The finger is not made yet. Discard what was entered?</source>
+        <translation>手指尚未创建。要放弃已输入的内容吗？</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>放弃(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Go on</source>
+        <translation>继续输入(&amp;G)</translation>
+    </message>
+    <message>
+        <source>The camera is not described.</source>
+        <translation>尚未描述相机。</translation>
+    </message>
+    <message>
+        <source>Choose its file, or enter the size of a pixel and choose the untouched image.</source>
+        <translation>请选择相机文件，或输入像素尺寸并选择未触碰的图像。</translation>
+    </message>
     <message>
         <source>New finger</source>
         <translation>新建手指</translation>
@@ -3479,8 +3555,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>恢复使用(&amp;P)</translation>
     </message>
     <message>
-        <source>Leave &amp;out</source>
-        <translation>排除(&amp;O)</translation>
+        <source>Leave o&amp;ut</source>
+        <translation>排除(&amp;U)</translation>
     </message>
 </context>
 <context>
@@ -3877,10 +3953,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>按压图像</translation>
     </message>
     <message>
-        <source>Images (*.png *.jpg *.jpeg *.bmp *.tif *.tiff *.pgm)</source>
-        <translation>图像 (*.png *.jpg *.jpeg *.bmp *.tif *.tiff *.pgm)</translation>
-    </message>
-    <message>
         <source>Try: %1.</source>
         <translation>请尝试：%1。</translation>
     </message>
@@ -4135,8 +4207,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>录制的视频</translation>
     </message>
     <message>
-        <source>&amp;File</source>
-        <translation>文件(&amp;F)</translation>
+        <source>Fi&amp;le</source>
+        <translation>文件(&amp;L)</translation>
     </message>
     <message>
         <source>Recording file</source>
@@ -4407,8 +4479,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>把这段视频移到回收站，并重新录制一段。</translation>
     </message>
     <message>
-        <source>Install an existing &amp;video…</source>
-        <translation>将已有视频设为参考(&amp;V)…</translation>
+        <source>Install an e&amp;xisting video…</source>
+        <translation>将已有视频设为参考(&amp;X)…</translation>
     </message>
     <message>
         <source>Follow the outline: %1</source>
@@ -4968,8 +5040,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>仿真手指(&amp;S)</translation>
     </message>
     <message>
-        <source>&amp;Video file…</source>
-        <translation>视频文件(&amp;V)…</translation>
+        <source>Vi&amp;deo file…</source>
+        <translation>视频文件(&amp;D)…</translation>
     </message>
     <message>
         <source>Folder of &amp;images…</source>
@@ -5173,6 +5245,10 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
 </context>
 <context>
     <name>alltact::Tutorial</name>
+    <message>
+        <source>Wait:</source>
+        <translation>请稍候：</translation>
+    </message>
     <message>
         <source>A day with a simulated finger</source>
         <translation>仿真手指的一天</translation>
@@ -5486,8 +5562,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>深度放大(&amp;D)</translation>
     </message>
     <message>
-        <source>Fin&amp;ger&apos;s body</source>
-        <translation>手指本体(&amp;G)</translation>
+        <source>Finger&apos;s bod&amp;y</source>
+        <translation>手指本体(&amp;Y)</translation>
     </message>
     <message>
         <source>R&amp;uler</source>
@@ -5498,8 +5574,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>相机(&amp;M)</translation>
     </message>
     <message>
-        <source>Untou&amp;ched face</source>
-        <translation>未触碰的接触面(&amp;C)</translation>
+        <source>Untouched face</source>
+        <translation>未触碰的接触面</translation>
     </message>
     <message>
         <source>View</source>
@@ -5616,14 +5692,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
 </context>
 <context>
     <name>alltact::Workspace</name>
-    <message>
-        <source>close the finger</source>
-        <translation>关闭手指</translation>
-    </message>
-    <message>
-        <source>open finger %1</source>
-        <translation>打开手指 %1</translation>
-    </message>
     <message>
         <source>close the source</source>
         <translation>关闭来源</translation>
