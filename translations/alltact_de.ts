@@ -400,10 +400,6 @@
         <translation>Kalibrieren Sie ihn mit Kugeleindrücken.</translation>
     </message>
     <message>
-        <source>&amp;Go to Calibrate</source>
-        <translation>&amp;Zu Kalibrieren</translation>
-    </message>
-    <message>
         <source>Calibrate</source>
         <translation>Kalibrieren</translation>
     </message>
@@ -439,7 +435,7 @@
     </message>
     <message>
         <source>&amp;Begin again</source>
-        <translation>Von vorn &amp;beginnen</translation>
+        <translation>&amp;Von vorn beginnen</translation>
     </message>
     <message>
         <source>&amp;Check now</source>
@@ -1062,6 +1058,10 @@
         <source>All files (*)</source>
         <translation>Alle Dateien (*)</translation>
     </message>
+    <message>
+        <source>Images (*.png *.jpg *.jpeg *.bmp *.tif *.tiff *.pgm)</source>
+        <translation>Bilder (*.png *.jpg *.jpeg *.bmp *.tif *.tiff *.pgm)</translation>
+    </message>
 </context>
 <context>
     <name>alltact::FingerCards</name>
@@ -1151,6 +1151,10 @@
     <message>
         <source>Due: record its reference again</source>
         <translation>Fällig: Referenz neu aufnehmen</translation>
+    </message>
+    <message>
+        <source>Due: its untouched image</source>
+        <translation>Fällig: sein Bild ohne Berührung</translation>
     </message>
 </context>
 <context>
@@ -1333,7 +1337,7 @@
     </message>
     <message>
         <source>&amp;Width of the face</source>
-        <translation>&amp;Breite der Fläche</translation>
+        <translation>B&amp;reite der Fläche</translation>
     </message>
     <message>
         <source>Width of the face</source>
@@ -1341,7 +1345,7 @@
     </message>
     <message>
         <source>&amp;Layer thickness</source>
-        <translation>&amp;Dicke der Schicht</translation>
+        <translation>Di&amp;cke der Schicht</translation>
     </message>
     <message>
         <source>Layer thickness</source>
@@ -1362,6 +1366,14 @@
     <message>
         <source>change the finger&apos;s sizes</source>
         <translation>die Maße des Fingers ändern</translation>
+    </message>
+    <message>
+        <source>Untouched image from a &amp;file…</source>
+        <translation>Bild ohne Berührung aus &amp;Datei…</translation>
+    </message>
+    <message>
+        <source>Untouched image</source>
+        <translation>Bild ohne Berührung</translation>
     </message>
 </context>
 <context>
@@ -1886,7 +1898,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>continue the last inspection</source>
-        <translation>die letzte Prüfung fortsetzen</translation>
+        <translation>die letzte Auswertung fortsetzen</translation>
     </message>
     <message>
         <source>inspect the live finger</source>
@@ -1926,15 +1938,15 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>Inspect</source>
-        <translation>Prüfen</translation>
+        <translation>Auswerten</translation>
     </message>
     <message>
         <source>&amp;Inspect</source>
-        <translation>&amp;Prüfen</translation>
+        <translation>A&amp;uswerten</translation>
     </message>
     <message>
         <source>Vide&amp;o…</source>
-        <translation>Vide&amp;o…</translation>
+        <translation>Vid&amp;eo…</translation>
     </message>
     <message>
         <source>Folder of &amp;images…</source>
@@ -2263,7 +2275,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>&amp;Choose…</source>
-        <translation>&amp;Wählen…</translation>
+        <translation>Wähl&amp;en…</translation>
     </message>
     <message>
         <source>Choose a camera file</source>
@@ -2275,7 +2287,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>Ima&amp;ges</source>
-        <translation>&amp;Bilder</translation>
+        <translation>Bi&amp;lder</translation>
     </message>
     <message>
         <source>Folder of board images, or a recording</source>
@@ -2347,11 +2359,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>&amp;Take this board (Space)</source>
-        <translation>Diese &amp;Tafel aufnehmen (Leertaste)</translation>
-    </message>
-    <message>
-        <source>Automat&amp;ically when new and still</source>
-        <translation>Automati&amp;sch, wenn neu und ruhig</translation>
+        <translation>Diese Tafel auf&amp;nehmen (Leertaste)</translation>
     </message>
     <message>
         <source>Takes the board when it is held still at a new position or tilt</source>
@@ -2440,6 +2448,10 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>Camera file: %1</source>
         <translation>Kameradatei: %1</translation>
+    </message>
+    <message>
+        <source>Automatically when ne&amp;w and still</source>
+        <translation>Automatisch, wenn neu &amp;und ruhig</translation>
     </message>
 </context>
 <context>
@@ -2559,10 +2571,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Überlagerungen</translation>
     </message>
     <message>
-        <source>&amp;Edges of the face</source>
-        <translation>&amp;Kanten der Fläche</translation>
-    </message>
-    <message>
         <source>&amp;Markers with numbers</source>
         <translation>&amp;Marken mit Nummern</translation>
     </message>
@@ -2585,10 +2593,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>Stripes falling to the right: too bright to measure. Stripes falling to the left: too dark.</source>
         <translation>Nach rechts fallende Streifen: zu hell zum Messen. Nach links fallende: zu dunkel.</translation>
-    </message>
-    <message>
-        <source>Colours &amp;end at</source>
-        <translation>Farben &amp;enden bei</translation>
     </message>
     <message>
         <source> mm</source>
@@ -2694,6 +2698,14 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>choose the lamp&apos;s dimmer</source>
         <translation>den Dimmer der Lampe wählen</translation>
     </message>
+    <message>
+        <source>Edges &amp;of the face</source>
+        <translation>&amp;Kanten der Fläche</translation>
+    </message>
+    <message>
+        <source>Colours e&amp;nd at</source>
+        <translation>Farben &amp;enden bei</translation>
+    </message>
 </context>
 <context>
     <name>alltact::MainWindow</name>
@@ -2781,10 +2793,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Behält die bisher beste Lösung bei</translation>
     </message>
     <message>
-        <source>Calibration log</source>
-        <translation>Kalibrierprotokoll</translation>
-    </message>
-    <message>
         <source>Progress of the calibration</source>
         <translation>Fortschritt der Kalibrierung</translation>
     </message>
@@ -2858,6 +2866,30 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>%1: its points are marked +, its circle is bold.</source>
         <translation>%1: Seine Punkte sind mit + markiert, sein Kreis ist fett.</translation>
+    </message>
+    <message>
+        <source>A ball in the layer, seen from its side</source>
+        <translation>Eine Kugel in der Schicht, von der Seite gesehen</translation>
+    </message>
+    <message>
+        <source>Clear silicone</source>
+        <translation>Klares Silikon</translation>
+    </message>
+    <message>
+        <source>Untouched face</source>
+        <translation>Unberührte Fläche</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>Layer thickness</source>
+        <translation>Schichtdicke</translation>
+    </message>
+    <message>
+        <source>Ball</source>
+        <translation>Kugel</translation>
     </message>
 </context>
 <context>
@@ -3043,6 +3075,50 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>Camera (*.yaml *.yml *.json *.xml *.cameramodel *.txt)</source>
         <translation>Kamera (*.yaml *.yml *.json *.xml *.cameramodel *.txt)</translation>
+    </message>
+    <message>
+        <source>Untouched image</source>
+        <translation>Bild ohne Berührung</translation>
+    </message>
+    <message>
+        <source>&amp;Untouched image</source>
+        <translation>Bild ohne &amp;Berührung</translation>
+    </message>
+    <message>
+        <source>&amp;Size of a pixel</source>
+        <translation>&amp;Größe eines Pixels</translation>
+    </message>
+    <message>
+        <source>from the camera file</source>
+        <translation>aus der Kameradatei</translation>
+    </message>
+    <message>
+        <source>On the face, for a camera that looks straight at it</source>
+        <translation>Auf der Fläche, für eine Kamera, die senkrecht auf sie blickt</translation>
+    </message>
+    <message>
+        <source>Choose the untouched image</source>
+        <translation>Das Bild ohne Berührung wählen</translation>
+    </message>
+    <message>
+        <source>The finger is not made yet. Discard what was entered?</source>
+        <translation>Der Finger ist noch nicht angelegt. Eingaben verwerfen?</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Verwerfen</translation>
+    </message>
+    <message>
+        <source>&amp;Go on</source>
+        <translation>&amp;Weiter eingeben</translation>
+    </message>
+    <message>
+        <source>The camera is not described.</source>
+        <translation>Die Kamera ist nicht beschrieben.</translation>
+    </message>
+    <message>
+        <source>Choose its file, or enter the size of a pixel and choose the untouched image.</source>
+        <translation>Wählen Sie ihre Datei, oder geben Sie die Größe eines Pixels ein und wählen Sie das Bild ohne Berührung.</translation>
     </message>
 </context>
 <context>
@@ -3304,11 +3380,11 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>Point &amp;A</source>
-        <translation>Punkt &amp;A</translation>
+        <translation>&amp;Punkt A</translation>
     </message>
     <message>
         <source>Point &amp;B</source>
-        <translation>Punkt &amp;B</translation>
+        <translation>Pu&amp;nkt B</translation>
     </message>
     <message>
         <source>Point A, along the finger</source>
@@ -3521,7 +3597,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Wieder &amp;nutzen</translation>
     </message>
     <message>
-        <source>Leave &amp;out</source>
+        <source>Leave o&amp;ut</source>
         <translation>A&amp;uslassen</translation>
     </message>
 </context>
@@ -3810,7 +3886,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>&amp;Add images…</source>
-        <translation>Bilder &amp;hinzufügen…</translation>
+        <translation>Bilder hin&amp;zufügen…</translation>
     </message>
     <message>
         <source>Re&amp;move</source>
@@ -3850,7 +3926,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>&amp;Operator</source>
-        <translation>&amp;Wer misst</translation>
+        <translation>Wer m&amp;isst</translation>
     </message>
     <message>
         <source>Operator</source>
@@ -3919,10 +3995,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>Images of presses</source>
         <translation>Bilder von Eindrücken</translation>
-    </message>
-    <message>
-        <source>Images (*.png *.jpg *.jpeg *.bmp *.tif *.tiff *.pgm)</source>
-        <translation>Bilder (*.png *.jpg *.jpeg *.bmp *.tif *.tiff *.pgm)</translation>
     </message>
     <message>
         <source>Try: %1.</source>
@@ -4187,10 +4259,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>Recorded video</source>
         <translation>Aufgenommenes Video</translation>
-    </message>
-    <message>
-        <source>&amp;File</source>
-        <translation>&amp;Datei</translation>
     </message>
     <message>
         <source>Recording file</source>
@@ -4469,10 +4537,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Verschiebt dieses Video in den Papierkorb und nimmt ein neues auf.</translation>
     </message>
     <message>
-        <source>Install an existing &amp;video…</source>
-        <translation>Vorhandenes &amp;Video einrichten…</translation>
-    </message>
-    <message>
         <source>Follow the outline: %1</source>
         <translation>Dem Umriss folgen: %1</translation>
     </message>
@@ -4535,6 +4599,14 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
             <numerusform>reicht für etwa %n Minute</numerusform>
             <numerusform>reicht für etwa %n Minuten</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Fi&amp;le</source>
+        <translation>Dat&amp;ei</translation>
+    </message>
+    <message>
+        <source>Install an e&amp;xisting video…</source>
+        <translation>Vorhandenes &amp;Video einrichten…</translation>
     </message>
 </context>
 <context>
@@ -5035,12 +5107,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>&amp;Simulierter Finger</translation>
     </message>
     <message>
-        <source>&amp;Video file…</source>
-        <translation>&amp;Videodatei…</translation>
-    </message>
-    <message>
         <source>Folder of &amp;images…</source>
-        <translation>Ordner mit &amp;Bildern…</translation>
+        <translation>Ordner mit Bi&amp;ldern…</translation>
     </message>
     <message>
         <source>&amp;Open a finger…</source>
@@ -5072,7 +5140,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>&amp;Try with a simulated finger</source>
-        <translation>Mit simuliertem Finger &amp;ausprobieren</translation>
+        <translation>Mit simuliertem Finger aus&amp;probieren</translation>
     </message>
     <message>
         <source>A full day in five minutes: record, press, calibrate and check a simulated finger</source>
@@ -5080,7 +5148,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>&amp;All fingers…</source>
-        <translation>&amp;Alle Finger…</translation>
+        <translation>Alle Finge&amp;r…</translation>
     </message>
     <message>
         <source>Verdict and due steps of each, in one list</source>
@@ -5089,6 +5157,10 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>A finger from its side: camera and lamps at its base, and a ball that presses</source>
         <translation>Ein Finger von der Seite: Kamera und Lampen an der Basis, und eine Kugel, die drückt</translation>
+    </message>
+    <message>
+        <source>Vi&amp;deo file…</source>
+        <translation>&amp;Videodatei…</translation>
     </message>
 </context>
 <context>
@@ -5267,7 +5339,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>Go to &amp;Inspect</source>
-        <translation>Zu &amp;Prüfen</translation>
+        <translation>Zu A&amp;uswerten</translation>
     </message>
     <message>
         <source>Go to &amp;Calibrate</source>
@@ -5296,6 +5368,10 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>That was a finger&apos;s full day. View its contacts in 3D.</source>
         <translation>Das war der ganze Tag eines Fingers. Sehen Sie sich seine Kontakte in 3D an.</translation>
+    </message>
+    <message>
+        <source>Wait:</source>
+        <translation>Bitte warten:</translation>
     </message>
 </context>
 <context>
@@ -5333,7 +5409,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>&amp;Open the report</source>
-        <translation>&amp;Bericht öffnen</translation>
+        <translation>Bericht ö&amp;ffnen</translation>
     </message>
     <message>
         <source>Copy as command &amp;line</source>
@@ -5373,7 +5449,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>&amp;Print…</source>
-        <translation>&amp;Drucken…</translation>
+        <translation>Dru&amp;cken…</translation>
     </message>
     <message>
         <source>One sheet to store with the finger, on paper or as PDF</source>
@@ -5561,20 +5637,12 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>&amp;Tiefe überhöhen</translation>
     </message>
     <message>
-        <source>Fin&amp;ger&apos;s body</source>
-        <translation>&amp;Körper des Fingers</translation>
-    </message>
-    <message>
         <source>R&amp;uler</source>
         <translation>&amp;Maßstab</translation>
     </message>
     <message>
         <source>Ca&amp;mera</source>
-        <translation>Ka&amp;mera</translation>
-    </message>
-    <message>
-        <source>Untou&amp;ched face</source>
-        <translation>Unbe&amp;rührte Fläche</translation>
+        <translation>Kame&amp;ra</translation>
     </message>
     <message>
         <source>View</source>
@@ -5688,17 +5756,17 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>compare with %1</source>
         <translation>vergleichen mit %1</translation>
     </message>
+    <message>
+        <source>Finger&apos;s bod&amp;y</source>
+        <translation>&amp;Körper des Fingers</translation>
+    </message>
+    <message>
+        <source>Untouched face</source>
+        <translation>Unberührte Fläche</translation>
+    </message>
 </context>
 <context>
     <name>alltact::Workspace</name>
-    <message>
-        <source>close the finger</source>
-        <translation>Finger schließen</translation>
-    </message>
-    <message>
-        <source>open finger %1</source>
-        <translation>Finger %1 öffnen</translation>
-    </message>
     <message>
         <source>close the source</source>
         <translation>Quelle schließen</translation>

@@ -398,10 +398,6 @@
         <translation>请用球按压进行标定。</translation>
     </message>
     <message>
-        <source>&amp;Go to Calibrate</source>
-        <translation>转到标定(&amp;G)</translation>
-    </message>
-    <message>
         <source>Calibrate</source>
         <translation>标定</translation>
     </message>
@@ -1053,6 +1049,10 @@
         <source>All files (*)</source>
         <translation>所有文件 (*)</translation>
     </message>
+    <message>
+        <source>Images (*.png *.jpg *.jpeg *.bmp *.tif *.tiff *.pgm)</source>
+        <translation>图像 (*.png *.jpg *.jpeg *.bmp *.tif *.tiff *.pgm)</translation>
+    </message>
 </context>
 <context>
     <name>alltact::FingerCards</name>
@@ -1141,6 +1141,10 @@
     <message>
         <source>Due: record its reference again</source>
         <translation>待办：重新录制参考</translation>
+    </message>
+    <message>
+        <source>Due: its untouched image</source>
+        <translation>待办：未触碰的图像</translation>
     </message>
 </context>
 <context>
@@ -1350,6 +1354,14 @@
     <message>
         <source>change the finger&apos;s sizes</source>
         <translation>更改手指的尺寸</translation>
+    </message>
+    <message>
+        <source>Untouched image from a &amp;file…</source>
+        <translation>从文件打开未触碰的图像(&amp;F)…</translation>
+    </message>
+    <message>
+        <source>Untouched image</source>
+        <translation>未触碰的图像</translation>
     </message>
 </context>
 <context>
@@ -2338,10 +2350,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>采集这块板(&amp;T)（空格键）</translation>
     </message>
     <message>
-        <source>Automat&amp;ically when new and still</source>
-        <translation>位置新且静止时自动采集(&amp;I)</translation>
-    </message>
-    <message>
         <source>Takes the board when it is held still at a new position or tilt</source>
         <translation>当标定板在新的位置或倾角上保持不动时自动采集</translation>
     </message>
@@ -2428,6 +2436,10 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>Camera file: %1</source>
         <translation>相机文件：%1</translation>
+    </message>
+    <message>
+        <source>Automatically when ne&amp;w and still</source>
+        <translation>位置新且静止时自动采集(&amp;W)</translation>
     </message>
 </context>
 <context>
@@ -2547,10 +2559,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>图像叠加</translation>
     </message>
     <message>
-        <source>&amp;Edges of the face</source>
-        <translation>接触面边缘(&amp;E)</translation>
-    </message>
-    <message>
         <source>&amp;Markers with numbers</source>
         <translation>带编号的标记点(&amp;M)</translation>
     </message>
@@ -2573,10 +2581,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>Stripes falling to the right: too bright to measure. Stripes falling to the left: too dark.</source>
         <translation>向右下的条纹：过亮，无法测量。向左下的条纹：过暗。</translation>
-    </message>
-    <message>
-        <source>Colours &amp;end at</source>
-        <translation>颜色上限(&amp;E)</translation>
     </message>
     <message>
         <source> mm</source>
@@ -2682,6 +2686,14 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>choose the lamp&apos;s dimmer</source>
         <translation>选择灯的调光器</translation>
     </message>
+    <message>
+        <source>Edges &amp;of the face</source>
+        <translation>接触面边缘(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Colours e&amp;nd at</source>
+        <translation>颜色上限(&amp;N)</translation>
+    </message>
 </context>
 <context>
     <name>alltact::MainWindow</name>
@@ -2769,10 +2781,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>保留目前最好的解</translation>
     </message>
     <message>
-        <source>Calibration log</source>
-        <translation>标定日志</translation>
-    </message>
-    <message>
         <source>Progress of the calibration</source>
         <translation>标定进度</translation>
     </message>
@@ -2845,6 +2853,30 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>%1: its points are marked +, its circle is bold.</source>
         <translation>%1：其点标为 +，其圆圈加粗。</translation>
+    </message>
+    <message>
+        <source>A ball in the layer, seen from its side</source>
+        <translation>压入弹性层的球，侧视图</translation>
+    </message>
+    <message>
+        <source>Clear silicone</source>
+        <translation>透明硅胶</translation>
+    </message>
+    <message>
+        <source>Untouched face</source>
+        <translation>未触碰的表面</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>深度</translation>
+    </message>
+    <message>
+        <source>Layer thickness</source>
+        <translation>弹性层厚度</translation>
+    </message>
+    <message>
+        <source>Ball</source>
+        <translation>球</translation>
     </message>
 </context>
 <context>
@@ -3030,6 +3062,50 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>Camera (*.yaml *.yml *.json *.xml *.cameramodel *.txt)</source>
         <translation>相机 (*.yaml *.yml *.json *.xml *.cameramodel *.txt)</translation>
+    </message>
+    <message>
+        <source>Untouched image</source>
+        <translation>未触碰的图像</translation>
+    </message>
+    <message>
+        <source>&amp;Untouched image</source>
+        <translation>未触碰的图像(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Size of a pixel</source>
+        <translation>像素尺寸(&amp;S)</translation>
+    </message>
+    <message>
+        <source>from the camera file</source>
+        <translation>取自相机文件</translation>
+    </message>
+    <message>
+        <source>On the face, for a camera that looks straight at it</source>
+        <translation>表面上的尺寸，适用于正对表面的相机</translation>
+    </message>
+    <message>
+        <source>Choose the untouched image</source>
+        <translation>选择未触碰的图像</translation>
+    </message>
+    <message>
+        <source>The finger is not made yet. Discard what was entered?</source>
+        <translation>手指尚未创建。要放弃已输入的内容吗？</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>放弃(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Go on</source>
+        <translation>继续输入(&amp;G)</translation>
+    </message>
+    <message>
+        <source>The camera is not described.</source>
+        <translation>尚未描述相机。</translation>
+    </message>
+    <message>
+        <source>Choose its file, or enter the size of a pixel and choose the untouched image.</source>
+        <translation>请选择相机文件，或输入像素尺寸并选择未触碰的图像。</translation>
     </message>
 </context>
 <context>
@@ -3507,8 +3583,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>恢复使用(&amp;P)</translation>
     </message>
     <message>
-        <source>Leave &amp;out</source>
-        <translation>排除(&amp;O)</translation>
+        <source>Leave o&amp;ut</source>
+        <translation>排除(&amp;U)</translation>
     </message>
 </context>
 <context>
@@ -3905,10 +3981,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>按压图像</translation>
     </message>
     <message>
-        <source>Images (*.png *.jpg *.jpeg *.bmp *.tif *.tiff *.pgm)</source>
-        <translation>图像 (*.png *.jpg *.jpeg *.bmp *.tif *.tiff *.pgm)</translation>
-    </message>
-    <message>
         <source>Try: %1.</source>
         <translation>请尝试：%1。</translation>
     </message>
@@ -4165,10 +4237,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>Recorded video</source>
         <translation>录制的视频</translation>
-    </message>
-    <message>
-        <source>&amp;File</source>
-        <translation>文件(&amp;F)</translation>
     </message>
     <message>
         <source>Recording file</source>
@@ -4439,10 +4507,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>把这段视频移到回收站，并重新录制一段。</translation>
     </message>
     <message>
-        <source>Install an existing &amp;video…</source>
-        <translation>将已有视频设为参考(&amp;V)…</translation>
-    </message>
-    <message>
         <source>Follow the outline: %1</source>
         <translation>请跟随轮廓：%1</translation>
     </message>
@@ -4501,6 +4565,14 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>
             <numerusform>约可录 %n 分钟</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Fi&amp;le</source>
+        <translation>文件(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Install an e&amp;xisting video…</source>
+        <translation>将已有视频设为参考(&amp;X)…</translation>
     </message>
 </context>
 <context>
@@ -5000,10 +5072,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>仿真手指(&amp;S)</translation>
     </message>
     <message>
-        <source>&amp;Video file…</source>
-        <translation>视频文件(&amp;V)…</translation>
-    </message>
-    <message>
         <source>Folder of &amp;images…</source>
         <translation>图像文件夹(&amp;I)…</translation>
     </message>
@@ -5054,6 +5122,10 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>A finger from its side: camera and lamps at its base, and a ball that presses</source>
         <translation>手指的侧视图：根部有相机和灯，一个球正在按压</translation>
+    </message>
+    <message>
+        <source>Vi&amp;deo file…</source>
+        <translation>视频文件(&amp;D)…</translation>
     </message>
 </context>
 <context>
@@ -5260,6 +5332,10 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>That was a finger&apos;s full day. View its contacts in 3D.</source>
         <translation>这就是手指完整的一天。请在三维视图中查看它的接触。</translation>
+    </message>
+    <message>
+        <source>Wait:</source>
+        <translation>请稍候：</translation>
     </message>
 </context>
 <context>
@@ -5522,20 +5598,12 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>深度放大(&amp;D)</translation>
     </message>
     <message>
-        <source>Fin&amp;ger&apos;s body</source>
-        <translation>手指本体(&amp;G)</translation>
-    </message>
-    <message>
         <source>R&amp;uler</source>
         <translation>标尺(&amp;U)</translation>
     </message>
     <message>
         <source>Ca&amp;mera</source>
         <translation>相机(&amp;M)</translation>
-    </message>
-    <message>
-        <source>Untou&amp;ched face</source>
-        <translation>未触碰的接触面(&amp;C)</translation>
     </message>
     <message>
         <source>View</source>
@@ -5649,17 +5717,17 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>compare with %1</source>
         <translation>与%1比较</translation>
     </message>
+    <message>
+        <source>Finger&apos;s bod&amp;y</source>
+        <translation>手指本体(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>Untouched face</source>
+        <translation>未触碰的接触面</translation>
+    </message>
 </context>
 <context>
     <name>alltact::Workspace</name>
-    <message>
-        <source>close the finger</source>
-        <translation>关闭手指</translation>
-    </message>
-    <message>
-        <source>open finger %1</source>
-        <translation>打开手指 %1</translation>
-    </message>
     <message>
         <source>close the source</source>
         <translation>关闭来源</translation>

@@ -161,6 +161,8 @@ bool is_black(const QStyleOption& option) {
   return option.palette.color(QPalette::Window) == Qt::black;
 }
 
+constexpr const char* kPrimary = "alltact_primary";
+
 bool has_focus(const QStyleOption& option) {
   return option.state.testFlag(QStyle::State_HasFocus) &&
          option.state.testFlag(QStyle::State_Enabled);
@@ -313,6 +315,21 @@ QRect StudioStyle::subControlRect(ComplexControl control, const QStyleOptionComp
   return rect;
 }
 
+QSize StudioStyle::sizeFromContents(ContentsType type, const QStyleOption* option,
+                                    const QSize& contents, const QWidget* widget) const {
+  const auto* button = qstyleoption_cast<const QStyleOptionButton*>(option);
+  if (type != CT_PushButton || button == nullptr || widget == nullptr ||
+      !widget->property(kPrimary).isValid())
+    return QProxyStyle::sizeFromContents(type, option, contents, widget);
+  QFont bold = widget->font();
+  bold.setBold(true);
+  const auto width = [button](const QFontMetrics& metrics) {
+    return metrics.size(Qt::TextShowMnemonic, button->text).width();
+  };
+  const int wider = width(QFontMetrics(bold)) - width(button->fontMetrics);
+  return QProxyStyle::sizeFromContents(type, option, contents + QSize(wider, 0), widget);
+}
+
 int StudioStyle::pixelMetric(PixelMetric metric, const QStyleOption* option,
                              const QWidget* widget) const {
   switch (metric) {
@@ -328,17 +345,12 @@ int StudioStyle::pixelMetric(PixelMetric metric, const QStyleOption* option,
   }
 }
 
-namespace {
-
-constexpr const char* kPrimary = "alltact_primary";
-constexpr int kPrimaryHeight = 40;
-
-}  // namespace
-
 void set_primary(QPushButton& button, bool is_primary) {
-  if (alltact::is_primary(button) == is_primary) return;
+  if (button.property(kPrimary) == QVariant(is_primary)) return;
   button.setProperty(kPrimary, is_primary);
-  button.setMinimumHeight(is_primary ? kPrimaryHeight : 0);
+  QEvent resized(QEvent::StyleChange);  // its hint of a size from before is stored
+  QCoreApplication::sendEvent(&button, &resized);
+  button.updateGeometry();
   QFont font = button.font();
   font.setBold(is_primary);
   button.setFont(font);

@@ -64,13 +64,17 @@ class StudioStyle : public QProxyStyle {
   [[nodiscard]] QRect subControlRect(ComplexControl control, const QStyleOptionComplex* option,
                                      SubControl part,
                                      const QWidget* widget = nullptr) const override;
+  [[nodiscard]] QSize sizeFromContents(ContentsType type, const QStyleOption* option,
+                                       const QSize& contents,
+                                       const QWidget* widget = nullptr) const override;
   [[nodiscard]] int pixelMetric(PixelMetric metric, const QStyleOption* option = nullptr,
                                 const QWidget* widget = nullptr) const override;
 };
 
-// The primary action of a page: its largest button, in the colour of the selection.
+// The primary action of a page: in the colour of the selection, and bold.
 
-/// Sets or clears the mark. At most one button of a page has it at a time.
+/// Sets or clears the mark. At most one button of a page has it at a time. A button that ever gets
+/// it has the same size with and without it.
 void set_primary(QPushButton& button, bool is_primary = true);
 [[nodiscard]] bool is_primary(const QWidget& widget);
 

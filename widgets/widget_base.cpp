@@ -4,10 +4,14 @@
 
 #include <QAccessibleWidget>
 #include <QApplication>
-#include <QFileDialog>
+#include <QDir>
+#include <QFileInfo>
 #include <QLocale>
 #include <QPainter>
+#include <QSettings>
+#include <QStandardPaths>
 #include <algorithm>
+#include <array>
 
 namespace alltact {
 namespace {
@@ -114,6 +118,44 @@ QLabel* wrapped_text() {
   return label;
 }
 
+ReservedText::ReservedText(int lines) : lines_(lines) {
+  setWordWrap(true);
+  setTextInteractionFlags(Qt::TextSelectableByMouse);
+  setAlignment(Qt::AlignLeft | Qt::AlignTop);
+}
+
+void ReservedText::reserve_for(const QStringList& texts) {
+  texts_ = texts;
+  updateGeometry();
+}
+
+int ReservedText::reserved_height(int width_px) const {
+  int height = lines_ * fontMetrics().lineSpacing();
+  for (const QString& text : texts_)
+    height = std::max(
+        height, fontMetrics().boundingRect(0, 0, width_px, 10000, Qt::TextWordWrap, text).height());
+  return height;
+}
+
+int ReservedText::heightForWidth(int width_px) const {
+  return std::max(QLabel::heightForWidth(width_px), reserved_height(width_px));
+}
+
+QSize ReservedText::sizeHint() const {
+  const QSize hint = QLabel::sizeHint();
+  return hint.expandedTo({0, lines_ * fontMetrics().lineSpacing()});
+}
+
+QSize ReservedText::minimumSizeHint() const {
+  return QLabel::minimumSizeHint().expandedTo({0, lines_ * fontMetrics().lineSpacing()});
+}
+
+void reserve_room(QWidget& widget) {
+  QSizePolicy policy = widget.sizePolicy();
+  policy.setRetainSizeWhenHidden(true);
+  widget.setSizePolicy(policy);
+}
+
 QString elided_path(const QString& path, const QFontMetrics& metrics, int room) {
   return metrics.elidedText(path, Qt::ElideLeft, room);
 }
@@ -135,20 +177,52 @@ QString video_filter(const QString& more) {
          QCoreApplication::translate("alltact::FileFilter", "All files (*)");
 }
 
-void ask_for_file(QWidget* parent, const QString& title, const QString& filter, const UsePath& use,
-                  const QString& start) {
+QString image_filter() {
+  return QCoreApplication::translate("alltact::FileFilter",
+                                     "Images (*.png *.jpg *.jpeg *.bmp *.tif *.tiff *.pgm)");
+}
+
+void begin_in_last_folder(QFileDialog& dialog, FilesOf what, const QString& otherwise) {
+  static const std::array<const char*, 7> kNames{"fingers", "recordings", "images", "cameras",
+                                                 "meshes",  "grippers",   "exports"};
+  const QString key =
+      QStringLiteral("folders/") + QLatin1String(kNames.at(static_cast<std::size_t>(what) - 1));
+  for (const QString& folder :
+       {QSettings().value(key).toString(), otherwise,
+        QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation), QDir::homePath()})
+    if (!folder.isEmpty() && QDir(folder).exists()) {
+      dialog.setDirectory(folder);
+      break;
+    }
+  QObject::connect(&dialog, &QFileDialog::filesSelected, &dialog, [key](const QStringList& files) {
+    QSettings().setValue(key, QFileInfo(files.front()).absolutePath());
+  });
+}
+
+namespace {
+
+void ask_for(QFileDialog::FileMode mode, QWidget* parent, FilesOf what, const QString& title,
+             const QString& filter, const UsePath& use, const QString& start) {
   auto* dialog = new QFileDialog(parent, title, start, filter);
-  dialog->setFileMode(QFileDialog::ExistingFile);
+  dialog->setFileMode(mode);
+  begin_in_last_folder(*dialog, what);
+  if (!start.isEmpty()) dialog->setDirectory(start);
   QObject::connect(dialog, &QFileDialog::fileSelected, dialog, use);
   show_dialog(*dialog);
 }
 
-void ask_for_folder(QWidget* parent, const QString& title, const UsePath& use,
+}  // namespace
+
+void ask_for_file(QWidget* parent, FilesOf what, const QString& title, const QString& filter,
+                  const UsePath& use, const QString& start) {
+  const QFileInfo file(start);
+  ask_for(QFileDialog::ExistingFile, parent, what, title, filter, use,
+          start.isEmpty() || file.isDir() ? start : file.absolutePath());
+}
+
+void ask_for_folder(QWidget* parent, FilesOf what, const QString& title, const UsePath& use,
                     const QString& start) {
-  auto* dialog = new QFileDialog(parent, title, start);
-  dialog->setFileMode(QFileDialog::Directory);
-  QObject::connect(dialog, &QFileDialog::fileSelected, dialog, use);
-  show_dialog(*dialog);
+  ask_for(QFileDialog::Directory, parent, what, title, {}, use, start);
 }
 
 AgeLabel::AgeLabel(QWidget* parent) : Translated<QLabel>(parent) {

@@ -5,6 +5,7 @@
 #include <QBoxLayout>
 #include <QDialog>
 #include <QEvent>
+#include <QFileDialog>
 #include <QLabel>
 #include <QLayout>
 #include <QLineEdit>
@@ -99,6 +100,26 @@ class ElidedLabel : public QLabel {
 /// The same for sentences: they can be selected.
 [[nodiscard]] QLabel* wrapped_text();
 
+/// The same for messages that come and go: never lower than so many lines, nor than its longest
+/// text, so that nothing around it moves. It is emptied, not hidden.
+class ReservedText : public QLabel {
+  Q_OBJECT
+ public:
+  explicit ReservedText(int lines = 1);
+  /// All texts that it may show.
+  void reserve_for(const QStringList& texts);
+  [[nodiscard]] int heightForWidth(int width_px) const override;
+  [[nodiscard]] QSize sizeHint() const override;
+  [[nodiscard]] QSize minimumSizeHint() const override;
+
+ private:
+  [[nodiscard]] int reserved_height(int width_px) const;
+  int lines_;
+  QStringList texts_;
+};
+/// A widget that comes and goes takes its room also while it is hidden.
+void reserve_room(QWidget& widget);
+
 /// For a menu or a button: at most `room` px wide, with the complete end of the path.
 [[nodiscard]] QString elided_path(const QString& path, const QFontMetrics& metrics, int room);
 
@@ -130,10 +151,16 @@ using UsePath = std::function<void(const QString& path)>;
 /// Filter of a file dialog: videos by their names, then all files, because names show little.
 /// `more`: patterns that are offered together with videos.
 [[nodiscard]] QString video_filter(const QString& more = {});
-/// Asks for an existing file, from `start` on.
-void ask_for_file(QWidget* parent, const QString& title, const QString& filter, const UsePath& use,
-                  const QString& start = {});
-void ask_for_folder(QWidget* parent, const QString& title, const UsePath& use,
+[[nodiscard]] QString image_filter();
+/// What a file dialog is for. Each begins in the folder that was used last for it.
+enum class FilesOf { kFingers = 1, kRecordings, kImages, kCameras, kMeshes, kGrippers, kExports };
+/// The dialog begins in the folder that was used last for such files or, the first time, in
+/// `otherwise` or the user's documents, and remembers what it chooses.
+void begin_in_last_folder(QFileDialog& dialog, FilesOf what, const QString& otherwise = {});
+/// Asks for an existing file: from `start` on, where it is not empty.
+void ask_for_file(QWidget* parent, FilesOf what, const QString& title, const QString& filter,
+                  const UsePath& use, const QString& start = {});
+void ask_for_folder(QWidget* parent, FilesOf what, const QString& title, const UsePath& use,
                     const QString& start = {});
 
 // Age of the shown frame; an old one is highlighted.

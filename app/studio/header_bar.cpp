@@ -13,6 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kSummarySymbol = 18;
+constexpr int kNameWidth_px = 150;  // of the buttons: a name that changes moves nothing
 constexpr int kBetweenLooks_ms = 3000;
 
 std::string written_in(const fs::path& folder, const std::vector<fs::path>& reference) {
@@ -41,15 +42,12 @@ FingerSummary::FingerSummary(const LiveSession& session, const Workspace& work, 
   row->addWidget(symbol_);
   row->addWidget(text_, 1);
   row->addWidget(due_);
+  due_->setObjectName(QStringLiteral("due"));
   connect(&work_, &Workspace::finger_changed, this, &FingerSummary::follow);
   connect(&work_, &Workspace::finger_rewritten, this, &FingerSummary::read);
   connect(&poll_timer_, &QTimer::timeout, this, &FingerSummary::read);
   poll_timer_.start(kBetweenLooks_ms);
-  connect(due_, &QPushButton::clicked, this, [this] {
-    const bool records = card_ && (card_->due == FingerDue::kRecording ||
-                                   (card_->due == FingerDue::kRepair && card_->is_recorded));
-    Q_EMIT due_requested(records ? "record" : "calibrate");
-  });
+  connect(due_, &QPushButton::clicked, this, [this] { Q_EMIT due_requested(due_page()); });
   say([this] {
     text_->setAccessibleName(tr("Summary of this finger"));
     show_summary();
@@ -84,17 +82,31 @@ void FingerSummary::read() {
   });
 }
 
+std::string FingerSummary::due_page() const {
+  const bool records = card_ && card_->is_recorded &&
+                       (card_->due == FingerDue::kRecording || card_->due == FingerDue::kRepair);
+  return records ? "record" : "calibrate";
+}
+
+void FingerSummary::set_led(bool is_guided, const std::string& page, const std::string& leads_to) {
+  if (is_guided == is_guided_ && page == page_ && leads_to == leads_to_) return;
+  is_guided_ = is_guided;
+  page_ = page;
+  leads_to_ = leads_to;
+  show_summary();
+}
+
 void FingerSummary::show_summary() {
-  setVisible(card_.has_value());
+  setVisible(card_.has_value() && !is_guided_);
   if (!card_) return;
   const Meaning meaning = headline_of(*card_).meaning;
   symbol_->setPixmap(symbol(meaning_symbol(meaning), meaning_colour(meaning, palette()),
                             kSummarySymbol, devicePixelRatioF()));
   text_->set_text(summary_of(*card_, utc_now()));
-  due_->setVisible(card_->due != FingerDue::kNothing);
+  due_->setVisible(card_->due != FingerDue::kNothing && page_ != due_page() &&
+                   leads_to_ != due_page());
   switch (card_->due) {
     case FingerDue::kRecording:
-      return due_->setText(tr("Go to Record"));
     case FingerDue::kRepair:
       return due_->setText(card_->is_recorded ? tr("Go to Record") : tr("Go to Calibrate"));
     case FingerDue::kFirstCheck:
@@ -140,11 +152,12 @@ void HeaderBar::add_button(QLabel* label, QToolButton* button, QMenu& menu) {
   button->setPopupMode(QToolButton::InstantPopup);
   button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   button->setFocusPolicy(Qt::TabFocus);
+  button->setFixedWidth(kNameWidth_px);
   label->setBuddy(button);
   auto* row = static_cast<QHBoxLayout*>(layout());
   row->addWidget(label);
   row->addWidget(button);
-  row->addSpacing(18);
+  row->addSpacing(kSpacing);
 }
 
 void HeaderBar::set_icons() {
@@ -159,13 +172,19 @@ void HeaderBar::changeEvent(QEvent* event) {
 
 void HeaderBar::follow() {
   const QString finger = finger_name(), source = work_.source_name();
-  finger_->setText(finger);
+  finger_->setText(cut_to_button(finger));
   finger_->setAccessibleName(tr("Finger: %1").arg(finger));
-  finger_->setToolTip(QString::fromStdString(session_.status().finger.folder.string()));
-  source_->setText(source);
+  const auto& folder = session_.status().finger.folder;
+  finger_->setToolTip(folder.empty() ? finger : QString::fromStdString(folder.string()));
+  source_->setText(cut_to_button(source));
   source_->setAccessibleName(tr("Source: %1").arg(source));
   const auto& inputs = work_.state().source;
   source_->setToolTip(inputs.empty() ? QString() : QString::fromStdString(inputs.front().string()));
+}
+
+QString HeaderBar::cut_to_button(const QString& name) const {
+  constexpr int kIconAndFrame_px = 52;  // icon, arrow and frame
+  return fontMetrics().elidedText(name, Qt::ElideMiddle, kNameWidth_px - kIconAndFrame_px);
 }
 
 QString HeaderBar::finger_name() const {

@@ -25,6 +25,8 @@ class FingerSummary : public Translated<QWidget> {
   FingerSummary(const LiveSession& session, const Workspace& work, QWidget* parent = nullptr);
   /// Of the open finger, read from its folder; nullopt where none is open or it cannot be read.
   [[nodiscard]] const std::optional<FingerCard>& card() const { return card_; }
+  /// Others lead to what is due: the guide, or the shown page, which `leads_to` another or none.
+  void set_led(bool is_guided, const std::string& page, const std::string& leads_to);
 
  Q_SIGNALS:
   /// `page`: name of the page where it is done.
@@ -38,13 +40,17 @@ class FingerSummary : public Translated<QWidget> {
   /// On a background thread, where a file was written since.
   void read();
   void show_summary();
+  /// By its name.
+  [[nodiscard]] std::string due_page() const;
 
   const LiveSession& session_;
   const Workspace& work_;
   std::optional<FingerCard> card_;
   std::filesystem::path read_;  // the folder card_ is of
   std::string written_;         // modification times of its files, as of card_
-  QTimer poll_timer_;           // for checks, and files that other programs write
+  bool is_guided_ = false;
+  std::string page_, leads_to_;
+  QTimer poll_timer_;  // for checks, and files that other programs write
   QLabel* symbol_;
   ElidedLabel* text_;
   QPushButton* due_;
@@ -66,6 +72,7 @@ class HeaderBar : public Translated<QWidget> {
   void set_icons();
   void follow();
   [[nodiscard]] QString finger_name() const;
+  [[nodiscard]] QString cut_to_button(const QString& name) const;
 
   const LiveSession& session_;
   const Workspace& work_;

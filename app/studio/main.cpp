@@ -150,6 +150,9 @@ int main(int argc, char** argv) try {
   if (!requested.source.empty()) options.source = {requested.source};
   options.session_folder =
       QStandardPaths::writableLocation(QStandardPaths::AppDataLocation).toStdString();
+  options.work_folder =
+      QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation).toStdString() +
+      "/AllTact";
   int status = 0;
   {
     const DiskWatch disks(kDiskTimeout, [](const std::filesystem::path&) {});

@@ -29,6 +29,11 @@
 #include <QWidget>
 
 namespace alltact {
+namespace {
+
+constexpr int kBarHeight_px = 32;
+
+}  // namespace
 
 void ProgramAppearance::apply(const Appearance& appearance) {
   appearance_ = appearance;
@@ -93,6 +98,7 @@ MainWindow::MainWindow(const StudioOptions& options, ProgramAppearance& program_
   });
   resize(1280, 800);
   restoreGeometry(QSettings().value(QStringLiteral("window/geometry")).toByteArray());
+  shown_page().focus_next();
   work_.begin_with(options.finger, options.source);
 }
 
@@ -104,10 +110,10 @@ MainWindow::~MainWindow() {
 
 /// The table of pages: all code that shows or lists them loops over it.
 void MainWindow::make_pages(const StudioOptions& options) {
-  auto* calibrate = new CalibratePage(session_, undo_, options.session_folder, program_version());
+  auto* calibrate = new CalibratePage(session_, undo_, options.work_folder, program_version());
   auto* accuracy = new AccuracyPage(session_, undo_, program_version());
   pages_ = {live_, calibrate, new RecordPage(session_), inspect_, accuracy};
-  guide_ = new Tutorial(session_, work_, *calibrate, options.session_folder);
+  guide_ = new Tutorial(session_, work_, *calibrate, options.work_folder);
   hint_ = new PageHint(*guide_);
 }
 
@@ -116,9 +122,7 @@ void MainWindow::put_together() {
   auto* content = new QWidget;
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(10, 8, 10, 4);
-  auto* header = new HeaderBar(session_, work_, *finger_menu_, *source_menu_);
-  connect(&header->summary(), &FingerSummary::due_requested, this, &MainWindow::lead_to);
-  add_widgets(*column, {header, problems_, guide_, hint_});
+  make_bars(*column);
   column->addWidget(stack_, 1);
   auto* centre = new QWidget;
   auto* row = without_margins(new QHBoxLayout(centre));
@@ -132,8 +136,51 @@ void MainWindow::put_together() {
   if (VtkView::is_supported()) (new QOpenGLWidget(this))->hide();
 }
 
+void MainWindow::make_bars(QVBoxLayout& column) {
+  header_ = new HeaderBar(session_, work_, *finger_menu_, *source_menu_);
+  connect(&header_->summary(), &FingerSummary::due_requested, this, &MainWindow::lead_to);
+  auto *top = new QWidget, *strip = new QWidget;
+  top->setFixedHeight(kBarHeight_px);
+  strip->setFixedHeight(kBarHeight_px);
+  header_row_ = without_margins(new QHBoxLayout(top));
+  strip_row_ = without_margins(new QHBoxLayout(strip));
+  header_row_->addWidget(header_, 1);
+  add_widgets(*strip_row_, {hint_, guide_});
+  add_widgets(column, {top, strip});
+  connect(guide_, &Tutorial::turned, this, &MainWindow::share_bars);
+  connect(problems_, &ProblemList::filled, this, &MainWindow::share_bars);
+  connect(&session_, &LiveSession::status_ready, this, &MainWindow::show_leads);
+  share_bars();
+}
+
+void MainWindow::share_bars() {
+  const bool is_any = !problems_->problems().empty();
+  QHBoxLayout& row = guide_->is_on() ? *header_row_ : *strip_row_;
+  if (row.indexOf(problems_) < 0) row.addWidget(problems_, 1);
+  problems_->setVisible(guide_->is_on() || is_any);
+  hint_->make_room(is_any);
+  show_leads();
+}
+
+void MainWindow::show_leads() {
+  const Page& page = shown_page();
+  const std::string leads_to = page.leads_to();
+  header_->summary().set_led(guide_->is_on(), page.name(), leads_to);
+  guide_->set_page(page.name(), leads_to);
+}
+
+bool MainWindow::focusNextPrevChild(bool next) {
+  const QWidget* focused = focusWidget();
+  const bool is_lost =
+      focused != nullptr && focused != this && (!focused->isEnabled() || !focused->isVisible());
+  if (!is_lost) return Translated::focusNextPrevChild(next);
+  shown_page().focus_next();
+  return true;
+}
+
 void MainWindow::connect_page(Page& page) {
   connect(&page, &Page::changed, this, &MainWindow::keep);
+  connect(&page, &Page::problems_changed, problems_, &NotificationBar::follow);
   connect(&page, &Page::page_requested, this, &MainWindow::go_to);
   connect(&page, &Page::lead_requested, this, &MainWindow::lead_to);
   connect(&page, &Page::open_finger_requested, finger_menu_, &FingerMenu::choose);
@@ -257,8 +304,11 @@ void MainWindow::go_to(const std::string& name) {
   const auto index = found == pages_.end() ? 0 : found - pages_.begin();
   stack_->setCurrentIndex(static_cast<int>(index));
   navigation_->mark(static_cast<std::size_t>(index));
-  guide_->set_page(shown_page().name());
+  show_leads();
   show_hint();
+  // Who walks along the navigation bar by keys stays there.
+  if (focusWidget() == nullptr || !navigation_->isAncestorOf(focusWidget()))
+    shown_page().focus_next();
   problems_->follow();
   keep();
 }
@@ -284,9 +334,9 @@ void MainWindow::keep() {
 void MainWindow::restore(const SessionState& state) {
   live_->set_options(state.view);
   const bool was_inspecting = !state.inspect.options.recording.empty();
-  if (!state.finger.empty() || !state.source.empty() || was_inspecting) {
+  if (!state.finger.empty()) open_finger(state.finger);
+  if (!state.source.empty() || was_inspecting) {
     undo_.beginMacro(tr("continue the last session"));
-    if (!state.finger.empty()) open_finger(state.finger);
     if (!state.source.empty()) open_source(state.source);
     inspect_->restore(state.inspect.options, state.inspect.frame);
     undo_.endMacro();

@@ -10,9 +10,11 @@
 #include "widgets/language.h"
 #include "widgets/shell/settings_dialog.h"
 
+#include <QHBoxLayout>
 #include <QMainWindow>
 #include <QStackedWidget>
 #include <QUndoStack>
+#include <QVBoxLayout>
 
 namespace alltact {
 
@@ -33,6 +35,7 @@ class ProgramAppearance {
 };
 
 class FingerMenu;
+class HeaderBar;
 class InspectPage;
 class LivePage;
 class Page;
@@ -46,6 +49,8 @@ struct StudioOptions {
   std::filesystem::path finger;               ///< to open at once; empty for none
   std::vector<std::filesystem::path> source;  ///< to open at once; empty for none
   std::filesystem::path session_folder;       ///< where the session is saved
+  /// For the tutorial's finger and captured boards, where a person finds them.
+  std::filesystem::path work_folder;
   SourceOpener opener = &alltact::open_source;
   CameraFinder::Lister lister;  ///< empty: the system's cameras
   HidPorts pedal;
@@ -62,7 +67,7 @@ class MainWindow : public Translated<QMainWindow> {
   [[nodiscard]] LiveSession& session() { return session_; }
   [[nodiscard]] QUndoStack& undo_stack() { return undo_; }
   [[nodiscard]] Pedal& pedal() { return pedal_; }
-  /// Both can be undone. An empty one closes; one that is open already is opened again.
+  /// As those of Workspace.
   void open_finger(const std::filesystem::path& folder) { work_.open_finger(folder); }
   void open_source(const std::vector<std::filesystem::path>& inputs) { work_.open_source(inputs); }
   /// By its name; to the first page where none has it.
@@ -73,6 +78,8 @@ class MainWindow : public Translated<QMainWindow> {
   void end();
 
  protected:
+  /// The focus of a control that was disabled or hidden goes to what comes next on the page.
+  bool focusNextPrevChild(bool next) override;
   void closeEvent(QCloseEvent* event) override;
 
  private:
@@ -85,6 +92,13 @@ class MainWindow : public Translated<QMainWindow> {
   void make_file_menu();
   void make_view_menu();
   void put_together();
+  /// Header, and below it one line of fixed height for notices, the hint or the guide: what comes
+  /// and goes there moves nothing on the page.
+  void make_bars(QVBoxLayout& column);
+  /// While the guide has the line, notices stand in the header instead of the finger's summary.
+  void share_bars();
+  /// Only one button leads to what is due: of the page, the guide or the header.
+  void show_leads();
   void show_settings();
   /// The first page needs no hint, since it explains itself.
   void show_hint();
@@ -107,6 +121,8 @@ class MainWindow : public Translated<QMainWindow> {
   std::vector<Page*> pages_;  // in the order of the navigation bar
   LivePage* live_;
   InspectPage* inspect_;
+  HeaderBar* header_;
+  QHBoxLayout *header_row_, *strip_row_;
   FingerMenu* finger_menu_;
   SourceMenu* source_menu_;
   NavigationBar* navigation_;

@@ -122,7 +122,7 @@ void FingerMenu::list_all() {
 }
 
 void FingerMenu::choose() {
-  ask_for_folder(parentWidget(), tr("Open a finger's folder"),
+  ask_for_folder(parentWidget(), FilesOf::kFingers, tr("Open a finger's folder"),
                  [this](const QString& folder) { work_.open_finger(folder.toStdString()); });
 }
 
@@ -183,18 +183,18 @@ void SourceMenu::open_shipped(const char* name) {
 }
 
 void SourceMenu::choose_video() {
-  ask_for_file(parentWidget(), tr("Open a video"), video_filter(),
+  ask_for_file(parentWidget(), FilesOf::kRecordings, tr("Open a video"), video_filter(),
                [this](const QString& file) { open(file); });
 }
 
 void SourceMenu::choose_folder() {
-  ask_for_folder(parentWidget(), tr("Open a folder of images"),
+  ask_for_folder(parentWidget(), FilesOf::kRecordings, tr("Open a folder of images"),
                  [this](const QString& folder) { open(folder); });
 }
 
 void SourceMenu::choose_scene() {
-  ask_for_file(parentWidget(), tr("Open a scene"), tr("Scenes (*.yaml *.yml)"),
-               [this](const QString& file) { open(file); });
+  ask_for_file(parentWidget(), FilesOf::kRecordings, tr("Open a scene"),
+               tr("Scenes (*.yaml *.yml)"), [this](const QString& file) { open(file); });
 }
 
 void SourceMenu::open(const QString& path) { work_.open_source({path.toStdString()}); }

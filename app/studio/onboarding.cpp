@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kSteps = 5, kGoodPresses = 6;
+constexpr int kSteps = 4, kGoodPresses = 6;
 
 /// A folder next to those of earlier tutorials.
 fs::path free_folder(const fs::path& work_folder) {
@@ -61,6 +61,7 @@ Tutorial::Tutorial(LiveSession& session, Workspace& work, CalibratePage& calibra
   row->addWidget(text_, 1);
   row->addWidget(lead_);
   row->addWidget(end_);
+  reserve_room(*lead_);
   hide();
   connect(lead_, &QPushButton::clicked, this, &Tutorial::lead);
   connect(end_, &QPushButton::clicked, this, &Tutorial::end);
@@ -121,20 +122,25 @@ void Tutorial::follow() {
   make_finger_once();
   step_ = next_step();
   const Step now = step_;
-  const QString head =
-      now == Step::kDone ? tr("Done:") : tr("%1 of %2:").arg(static_cast<int>(now)).arg(kSteps);
+  const QString head = now == Step::kFinger ? tr("Wait:")
+                       : now == Step::kDone
+                           ? tr("Done:")
+                           : tr("%1 of %2:").arg(static_cast<int>(now)).arg(kSteps);
   text_->set_text(head + QLatin1Char(' ') + what_next(), static_cast<int>(head.size()));
   lead_->setText(now == Step::kRecord ? tr("Go to &Record")
                  : now == Step::kDone ? tr("Go to &Inspect")
                                       : tr("Go to &Calibrate"));
-  const bool is_elsewhere = now != Step::kFinger && page_ != page_of_step();
+  const std::string there = page_of_step();
+  const bool is_elsewhere = now != Step::kFinger && page_ != there && leads_to_ != there;
   lead_->setVisible(is_elsewhere);
   set_primary(*lead_, is_elsewhere);
   show();
 }
 
-void Tutorial::set_page(const std::string& page) {
+void Tutorial::set_page(const std::string& page, const std::string& leads_to) {
+  if (page == page_ && leads_to == leads_to_) return;
   page_ = page;
+  leads_to_ = leads_to;
   follow();
 }
 
@@ -170,12 +176,12 @@ void Tutorial::lead() {
 PageHint::PageHint(const Tutorial& guide, QWidget* parent)
     : Translated(parent),
       guide_(guide),
-      text_(wrapped_text()),
+      text_(new ElidedLabel),
       more_(new QPushButton),
       seen_(new QPushButton) {
   setFrameShape(QFrame::StyledPanel);
   auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(kSpacing, kSpacing / 2, kSpacing, kSpacing / 2);
+  row->setContentsMargins(10, 3, 6, 3);
   row->addWidget(text_, 1);
   row->addWidget(more_);
   row->addWidget(seen_);
@@ -203,11 +209,16 @@ void PageHint::show_for(const std::string& page) {
   follow();
 }
 
+void PageHint::make_room(bool is_needed) {
+  is_room_needed_ = is_needed;
+  follow();
+}
+
 void PageHint::follow() {
   const bool is_new = !page_.empty() && !QSettings().value(key(page_), false).toBool();
   const HelpLead lead = lead_of(help_text(QString::fromStdString(page_)));
-  setVisible(is_new && !guide_.is_on() && !lead.lead.isEmpty());
-  text_->setText(without_marks(lead.lead));
+  setVisible(is_new && !is_room_needed_ && !guide_.is_on() && !lead.lead.isEmpty());
+  text_->set_text(without_marks(lead.lead));
 }
 
 }  // namespace alltact

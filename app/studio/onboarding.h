@@ -22,10 +22,11 @@ class Tutorial : public Translated<QFrame> {
   /// Begins when the simulated finger is being opened.
   void begin();
   [[nodiscard]] bool is_on() const { return is_on_; }
-  /// The shown page, by its name.
-  void set_page(const std::string& page);
+  /// The shown page, by its name, and the one that it leads to itself.
+  void set_page(const std::string& page, const std::string& leads_to);
 
-  enum class Step { kFinger = 1, kRecord, kPresses, kCalibrate, kCheck, kDone };
+  /// The person's steps count from 1; the finger is made without them.
+  enum class Step { kFinger, kRecord, kPresses, kCalibrate, kCheck, kDone };
   [[nodiscard]] Step step() const { return step_; }
 
  Q_SIGNALS:
@@ -48,7 +49,7 @@ class Tutorial : public Translated<QFrame> {
   Workspace& work_;
   CalibratePage& calibrate_;
   std::filesystem::path work_folder_;
-  std::string page_;
+  std::string page_, leads_to_;
   ElidedLabel* text_;
   QPushButton *lead_, *end_;
   Step step_ = Step::kFinger;
@@ -66,6 +67,8 @@ class PageHint : public Translated<QFrame> {
   explicit PageHint(const Tutorial& guide, QWidget* parent = nullptr);
   /// By its name.
   void show_for(const std::string& page);
+  /// Hidden while notices need its room.
+  void make_room(bool is_needed);
   /// The settings key of a page whose hint was dismissed.
   [[nodiscard]] static QString key(const std::string& page);
 
@@ -77,7 +80,8 @@ class PageHint : public Translated<QFrame> {
 
   const Tutorial& guide_;
   std::string page_;
-  QLabel* text_;
+  bool is_room_needed_ = false;
+  ElidedLabel* text_;
   QPushButton *more_, *seen_;
 };
 

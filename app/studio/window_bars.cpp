@@ -44,6 +44,12 @@ NavigationBar::NavigationBar(const std::vector<Page*>& pages, QWidget* parent)
   set_icons();
 }
 
+void NavigationBar::mark(std::size_t page) {
+  buttons_->button(static_cast<int>(page))->setChecked(true);
+  for (QAbstractButton* button : buttons_->buttons())
+    button->setFocusPolicy(button->isChecked() ? Qt::TabFocus : Qt::NoFocus);
+}
+
 QAbstractButton* NavigationBar::make_button() {
   auto* button = new QToolButton;
   button->setCheckable(true);

@@ -22,8 +22,8 @@ class NavigationBar : public Translated<QFrame> {
   /// Marks the first page at first; there is at least one.
   explicit NavigationBar(const std::vector<Page*>& pages, QWidget* parent = nullptr);
 
-  /// Its button is down from now on.
-  void mark(std::size_t page) { buttons_->button(static_cast<int>(page))->setChecked(true); }
+  /// Its button is down from now on, and is the one that Tab goes to.
+  void mark(std::size_t page);
 
  Q_SIGNALS:
   void chosen(const std::string& page);

@@ -18,7 +18,10 @@ std::filesystem::path absolute_path(const std::filesystem::path& folder) {
 }  // namespace
 
 QString short_name(const std::filesystem::path& path) {
-  const auto name = path.has_filename() ? path.filename() : path.parent_path().filename();
+  const auto own = path.has_filename() ? path : path.parent_path();
+  // A folder that is only called what it holds has its name from the one above.
+  const bool is_general = own.filename() == "finger" && own.has_parent_path();
+  const auto name = is_general ? own.parent_path().filename() / own.filename() : own.filename();
   return QString::fromStdString(name.string());
 }
 
@@ -40,14 +43,8 @@ Workspace::Workspace(LiveSession& session, QUndoStack& undo,
 
 void Workspace::open_finger(const std::filesystem::path& folder) {
   const auto requested = absolute_path(folder);
-  if (requested == state_.finger) return set_finger(requested);
-  undo_.push(new ValueChange<std::filesystem::path>(
-      [requested] {
-        return requested.empty() ? tr("close the finger")
-                                 : tr("open finger %1").arg(short_name(requested));
-      },
-      state_.finger, requested,
-      [this](const std::filesystem::path& finger) { set_finger(finger); }));
+  if (requested != state_.finger) undo_.clear();
+  set_finger(requested);
 }
 
 void Workspace::open_source(const Inputs& inputs) {

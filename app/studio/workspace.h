@@ -20,8 +20,10 @@ class Workspace : public QObject {
   /// `session` shows the open ones; changes go through `undo`.
   Workspace(LiveSession& session, QUndoStack& undo, const std::optional<SessionState>& last);
 
-  /// Both can be undone. An empty one closes; one that is open already is opened again.
+  /// No step to undo, and forgets the steps on the finger before. An empty one closes; one that is
+  /// open already is opened again.
   void open_finger(const std::filesystem::path& folder);
+  /// Can be undone. An empty one closes; one that is open already is opened again.
   void open_source(const Inputs& inputs);
   /// Not undoable: the program's arguments. Empty ones are ignored.
   void begin_with(const std::filesystem::path& finger, const Inputs& source);

@@ -29,7 +29,6 @@ TEST(CalibrateFlat, TakesItsUntouchedPictureFromTheLiveOne) {
   ASSERT_TRUE(studio.wait_for_picture());
   studio.window().go_to("calibrate");
   auto* place = studio.window().findChild<CalibratePage*>();
-  studio.click("Next: Finger");
   EXPECT_FALSE(studio.find<QPushButton>("Next: Presses")->isEnabled());
   studio.click("Take the untouched image now");
   ASSERT_TRUE(wait_until([&] { return studio.session().status().finger.has_reference; }, 20000))

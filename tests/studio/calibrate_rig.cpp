@@ -87,6 +87,18 @@ CalibratePage& CalibrateStudio::place() {
   return *place;
 }
 
+void CalibrateStudio::hold_still() const {
+  constexpr int kFramesEach = 40;
+  must(write_file_atomically(folder_ / "pressing.yaml", held_pressing_scene(kFramesEach)));
+}
+
+bool CalibrateStudio::wait_for_depth() {
+  return wait_until([this] {
+    const auto& view = studio_->session().view();
+    return view && view->result.depth.has_value();
+  });
+}
+
 void CalibrateStudio::open() {
   StudioOptions options;
   options.finger = finger();

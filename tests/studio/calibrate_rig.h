@@ -12,6 +12,7 @@
 #include <QLineEdit>
 #include <QListView>
 #include <map>
+#include <tuple>
 
 #include <fmt/format.h>
 #include <opencv2/core.hpp>
@@ -31,6 +32,11 @@ namespace alltact::test {
 /// Whether a label that is shown has these words.
 [[nodiscard]] bool says(Studio& studio, const char* words);
 
+/// Base, middle and tip, where a check needs presses: what the step Check then shows, and from
+/// where to where along the face, in mm.
+inline const std::tuple<const char*, double, double> kCheckedAt[] = {
+    {"1 of 3 taken", 0, 30}, {"2 of 3 taken", 43, 53}, {"3 presses taken: enough", 76, 100}};
+
 /// All bytes of a finger's folder.
 [[nodiscard]] std::map<std::string, std::string> contents(const std::filesystem::path& folder);
 
@@ -47,6 +53,9 @@ class CalibrateStudio {
   [[nodiscard]] std::filesystem::path finger() const { return folder_ / "finger"; }
   [[nodiscard]] const TemporaryFolder& folder() const { return folder_; }
 
+  /// Before open(): the ball holds still at each position, long enough for a slow machine.
+  void hold_still() const;
+  bool wait_for_depth();
   /// The window, at the place. With the program of the command line it writes reports.
   void open();
   void close() { studio_.reset(); }

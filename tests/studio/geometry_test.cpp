@@ -269,7 +269,8 @@ TEST_F(Geometry, OfTheStepsWithPresses) {
   ASSERT_TRUE(rig.wait_until_looked_at(6));
   auto* list = rig.place().findChild<PressesPage*>()->findChild<QListView*>();
   list->setCurrentIndex(list->model()->index(2, 0));
-  look(rig.studio(), "presses", rig.place());
+  // What is known of the press stands below its image.
+  look(rig.studio(), "presses", rig.place(), {0.48, kMostEmpty});
   ProgramAppearance().apply({Theme::kLight, QStringLiteral("en")});
   look(rig.studio(), "mapping_first", open_step(rig, "4"));
   rig.run().start();

@@ -40,7 +40,7 @@ TEST(Live, BeginsWithTheSimulatedFingerByOneClick) {
   EXPECT_EQ(studio.problems(), "");
   ASSERT_TRUE(wait_until([&] { return studio.session().status().source.delivered > 30; }));
   EXPECT_EQ(studio.session().status().source.missing, 0U);
-  EXPECT_EQ(studio.find<QToolButton>("Finger: studio finger (simulated)")->text(),
+  EXPECT_EQ(studio.find<QToolButton>("Finger: studio finger (simulated)")->toolTip(),
             "studio finger (simulated)");
 }
 

@@ -143,6 +143,9 @@ TEST_F(SecondDay, TheWindowSaysAtOnceWhatIsKnownAndLeadsToWhatIsDue) {
   EXPECT_TRUE(summary->isVisible());
   EXPECT_TRUE(says(rig_.studio(), "Due: a check"));
   ASSERT_TRUE(wait_until([&] { return rig_.run().state() == CalibrationState::kCurrent; }));
+  EXPECT_TRUE(rig_.place().findChild<CheckPage*>()->isVisible()) << "the place opens what is due";
+  rig_.go_to_step("Presses");
+  rig_.studio().window().go_to("live");
   rig_.studio().click("Go to the check");
   EXPECT_TRUE(rig_.place().findChild<CheckPage*>()->isVisible());
 }

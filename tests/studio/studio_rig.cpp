@@ -146,6 +146,7 @@ StudioOptions simulated() {
 
 Studio::Studio(StudioOptions options) {
   if (options.session_folder.empty()) options.session_folder = folder_ / "session";
+  if (options.work_folder.empty()) options.work_folder = options.session_folder;
   using Open = decltype(&open_source);
   if (const Open* open = options.opener.target<Open>(); open && *open == &open_source)
     options.opener = &open_remembered;

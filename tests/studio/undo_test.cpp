@@ -1,7 +1,7 @@
-// One stack of steps for the session: finger and source can be taken back like everything else.
+// One stack of steps for the open finger: its source can be taken back like everything else.
 #include "app/studio/main_window.h"
 #include "core/open/open_source.h"
-#include "tests/studio/studio_rig.h"
+#include "tests/studio/calibrate_rig.h"
 
 #include <QAction>
 #include <QCheckBox>
@@ -43,31 +43,41 @@ StudioOptions calibrated() {
   return options;
 }
 
-TEST(Undo, TakesBackTheFingerThatWasChosen) {
+TEST(Undo, OpeningAFingerIsNoStepAndForgetsThoseOnTheOneBefore) {
   const auto& made = MadeFingers::get();
   Studio studio(calibrated());
   ASSERT_TRUE(wait_for_finger(studio, made.calibrated()));
-  EXPECT_FALSE(studio.window().undo_stack().canUndo());  // what it was started with stays
+  auto* markers = studio.find<QCheckBox>("Markers with numbers");
+  QTest::mouseClick(markers, Qt::LeftButton, {}, {8, markers->height() / 2});
+  ASSERT_TRUE(studio.window().undo_stack().canUndo());
   studio.window().open_finger(made.described());
   ASSERT_TRUE(wait_for_finger(studio, made.described()));
-  EXPECT_EQ(studio.window().undo_stack().undoText(), "open finger described");
-  EXPECT_FALSE(studio.session().status().finger.has_reference);
+  EXPECT_FALSE(studio.window().undo_stack().canUndo());
   undo(studio);
-  ASSERT_TRUE(wait_for_finger(studio, made.calibrated()));
-  EXPECT_TRUE(studio.session().status().finger.has_reference);
-  redo(studio);
-  EXPECT_TRUE(wait_for_finger(studio, made.described()));
-}
-
-TEST(Undo, OpensAFingerAgainThatWasClosed) {
-  const auto& made = MadeFingers::get();
-  Studio studio(calibrated());
-  ASSERT_TRUE(wait_for_finger(studio, made.calibrated()));
+  QTest::qWait(100);
+  EXPECT_EQ(studio.session().status().finger.folder, made.described());
   studio.window().open_finger({});
   ASSERT_TRUE(wait_for_finger(studio, {}));  // the scene's own
-  EXPECT_EQ(studio.window().undo_stack().undoText(), "close the finger");
-  undo(studio);
-  EXPECT_TRUE(wait_for_finger(studio, made.calibrated()));
+  EXPECT_FALSE(studio.window().undo_stack().canUndo());
+}
+
+/// On the page Presses, right after a finger was opened there.
+TEST(Undo, TakesBackAChangeOfPressesAndNeverTheFinger) {
+  CalibrateStudio rig(2);
+  rig.open();
+  const auto folder = rig.studio().session().status().finger.folder;
+  rig.studio().window().open_finger(MadeFingers::get().described());
+  ASSERT_TRUE(wait_for_finger(rig.studio(), MadeFingers::get().described()));
+  rig.studio().window().open_finger(folder);
+  ASSERT_TRUE(wait_for_finger(rig.studio(), folder));
+  rig.go_to_step("Presses");
+  rig.type_radius("4");
+  ASSERT_TRUE(rig.wait_until_looked_at(2));
+  undo(rig.studio());
+  EXPECT_EQ(rig.collection().press_set().ball_radius_mm, 0);
+  undo(rig.studio());
+  QTest::qWait(100);
+  EXPECT_EQ(rig.studio().session().status().finger.folder, folder);
 }
 
 TEST(Undo, TakesBackTheSourceThatWasChosen) {
@@ -110,15 +120,15 @@ QString undo_line(Studio& studio) {
 TEST(Undo, SaysWhatWasDoneInTheLanguageOfNow) {
   Studio studio(calibrated());
   ASSERT_TRUE(wait_for_finger(studio, MadeFingers::get().calibrated()));
-  studio.window().open_finger(MadeFingers::get().described());
-  EXPECT_TRUE(undo_line(studio).endsWith("open finger described"))
+  studio.window().open_source({MadeFingers::get().touched()});
+  EXPECT_TRUE(undo_line(studio).endsWith("open source touched.yaml"))
       << undo_line(studio).toStdString();
   ProgramAppearance appearance;
   appearance.apply({Theme::kLight, QStringLiteral("de")});
-  EXPECT_TRUE(wait_until([&] { return undo_line(studio).endsWith("Finger described öffnen"); }))
+  EXPECT_TRUE(wait_until([&] { return undo_line(studio).endsWith("Quelle touched.yaml öffnen"); }))
       << undo_line(studio).toStdString();
   appearance.apply({Theme::kLight, QStringLiteral("en")});
-  EXPECT_TRUE(wait_until([&] { return undo_line(studio).endsWith("open finger described"); }));
+  EXPECT_TRUE(wait_until([&] { return undo_line(studio).endsWith("open source touched.yaml"); }));
 }
 
 TEST(Undo, OpeningWhatIsOpenIsNoStep) {
@@ -136,11 +146,7 @@ TEST(Undo, GoesBackInTheOrderOfWhatWasDone) {
   auto* markers = studio.find<QCheckBox>("Markers with numbers");
   QTest::mouseClick(markers, Qt::LeftButton, {}, {8, markers->height() / 2});
   studio.window().open_source({made.touched()});
-  studio.window().open_finger(made.described());
-  ASSERT_TRUE(wait_for_finger(studio, made.described()));
-  undo(studio);
-  ASSERT_TRUE(wait_for_finger(studio, made.calibrated()));
-  EXPECT_EQ(studio.session().status().source.inputs, Inputs{made.touched()});
+  ASSERT_TRUE(wait_for_source(studio, made.touched()));
   undo(studio);
   ASSERT_TRUE(wait_for_source(studio, made.bending()));
   EXPECT_FALSE(markers->isChecked());
@@ -204,7 +210,7 @@ TEST(Undo, TakesBackGoingOnWithTheLastSessionInOneStep) {
   EXPECT_EQ(studio.window().undo_stack().count(), 1);
   undo(studio);
   EXPECT_TRUE(wait_until([&] {
-    return studio.session().status().finger.state == FingerState::kNone &&
+    return studio.session().status().finger.folder == made.calibrated() &&
            studio.session().status().source.state == SourceState::kClosed;
   }));
 }

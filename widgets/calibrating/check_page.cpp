@@ -77,22 +77,20 @@ CheckPage::CheckPage(LiveSession& session, PressCollection& collection, const Ca
       run_(run),
       undo_(undo),
       version_(std::move(program_version)),
-      problems_(new ProblemList),
       live_(new ImagePanel(session)),
       take_group_(new QGroupBox),
       verdict_group_(new QGroupBox),
       how_(wrapped_text()),
-      count_(wrapped_text()),
       symbol_(new QLabel),
       verdict_(wrapped_label()),
       sentence_(wrapped_text()),
+      count_(new ReservedText),
       take_(new QPushButton),
       again_(new QPushButton),
       check_(new QPushButton),
       bar_(new QProgressBar),
       plot_(new HistoryPlot) {
   auto* column = without_margins(new QVBoxLayout(this));
-  column->addWidget(problems_);
   ViewOptions options;
   options.direction = options.markers = false;  // only depth is drawn over the contact
   live_->set_options(options);
@@ -129,6 +127,8 @@ CheckPage::CheckPage(LiveSession& session, PressCollection& collection, const Ca
     again_->setText(tr("&Begin again"));
     check_->setText(tr("&Check now"));
     bar_->setAccessibleName(tr("Progress of the check"));
+    count_->reserve_for(
+        {waiting_words(PressTaker::State::kWaits), waiting_words(PressTaker::State::kRefused)});
     show_history();
     show_verdict();
     show_status();
@@ -138,6 +138,9 @@ CheckPage::CheckPage(LiveSession& session, PressCollection& collection, const Ca
 QWidget* CheckPage::make_side() {
   const SidePanel side(kCheckSideWidth);
   auto* take = new QVBoxLayout(take_group_);
+  set_primary(*check_, false);  // later it is: its width is that of a bold text
+  reserve_room(*bar_);
+  reserve_room(*symbol_);
   add_widgets(*take, {how_, take_, count_});
   auto* row = new QHBoxLayout;
   row->addWidget(check_);
@@ -183,18 +186,18 @@ const QPushButton* CheckPage::action_button() const {
 void CheckPage::forget_taken() {
   taken_.clear();
   last_.reset();
-  problems_->set_problems({});
+  set_problems({});
   show_verdict();
   show_status();
 }
 
 void CheckPage::check() {
-  problems_->set_problems({});
+  set_problems({});
   work_.start([this, folder = folder_, frames = taken_, version = version_](const Job& job) {
     auto checked = std::make_shared<Checked>(check_frames(folder, frames, version, job));
     return std::function<void()>([this, checked, folder] {
       if (folder != folder_) return;
-      if (checked->problem) return problems_->set_problems({Problem::of(*checked->problem)});
+      if (checked->problem) return set_problems({Problem::of(*checked->problem)});
       taken_.clear();
       last_ = checked->check;
       undo_.push(new ValueChange<std::optional<std::string>>(
@@ -226,7 +229,7 @@ void CheckPage::load_history() {
     return std::function<void()>([this, checks, folder] {
       if (folder != folder_) return;
       history_ = checks ? *checks : std::vector<CheckEntry>();
-      if (!checks) problems_->set_problems({Problem::of(checks.error())});
+      if (!checks) set_problems({Problem::of(checks.error())});
       show_history();
       show_verdict();
       Q_EMIT changed();

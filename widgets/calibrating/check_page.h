@@ -8,7 +8,6 @@
 #include "widgets/calibrating/step_page.h"
 #include "widgets/panels/image_panel.h"
 #include "widgets/plots/calibration_plots.h"
-#include "widgets/shell/problem_list.h"
 #include "widgets/undo_step.h"
 
 #include <QGroupBox>
@@ -71,10 +70,10 @@ class CheckPage : public StepPage {
   PressTaker taker_;  // takes presses from the live stream while this page is visible
   std::optional<PressCheck> last_;
   std::vector<CheckEntry> history_;
-  ProblemList* problems_;
   ImagePanel* live_;
   QGroupBox *take_group_, *verdict_group_;
-  QLabel *how_, *count_, *symbol_, *verdict_, *sentence_;
+  QLabel *how_, *symbol_, *verdict_, *sentence_;
+  ReservedText* count_;
   QPushButton *take_, *again_, *check_;
   QProgressBar* bar_;
   HistoryPlot* plot_;

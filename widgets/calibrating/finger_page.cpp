@@ -29,14 +29,6 @@ QString geometry_text(const Finger& finger) {
       .arg(finger.markers.per_row);
 }
 
-/// Stores the frame as the sensor's contact-free reference image.
-Status install_reference_image(const std::filesystem::path& folder, const Frame& frame) {
-  const auto warnings = set_untouched_image(
-      folder,
-      {frame.grey, frame.controls ? *frame.controls : std::string(), en::say("the camera")});
-  return warnings ? Status() : warnings.error();
-}
-
 }  // namespace
 
 FingerPage::FingerPage(LiveSession& session, QUndoStack& undo, QWidget* parent)
@@ -44,15 +36,15 @@ FingerPage::FingerPage(LiveSession& session, QUndoStack& undo, QWidget* parent)
       session_(session),
       undo_(undo),
       live_(new ImagePanel(session)),
-      problems_(new ProblemList),
       geometry_group_(new QGroupBox),
       reference_group_(new QGroupBox),
       geometry_(wrapped_text()),
-      reference_(wrapped_text()),
+      reference_(new ReservedText),
       make_(new QPushButton),
       open_(new QPushButton),
       record_(new QPushButton),
       reference_image_(new QPushButton),
+      reference_file_(new QPushButton),
       width_label_(new QLabel),
       layer_label_(new QLabel),
       width_(new NumberField),
@@ -60,7 +52,6 @@ FingerPage::FingerPage(LiveSession& session, QUndoStack& undo, QWidget* parent)
       sizes_(new QWidget),
       change_(new QPushButton) {
   auto* column = without_margins(new QVBoxLayout(this));
-  column->addWidget(problems_);
   auto* row = new QHBoxLayout;
   row->addWidget(live_, 1);
   row->addWidget(make_side());
@@ -93,7 +84,7 @@ QWidget* FingerPage::make_side() {
   side.column->addWidget(geometry_group_);
   auto* reference = new QVBoxLayout(reference_group_);
   reference->addWidget(reference_);
-  add_widgets(*reference, {record_, reference_image_});
+  add_widgets(*reference, {record_, reference_image_, reference_file_});
   side.column->addWidget(reference_group_);
   side.column->addStretch();
   foot_ = side.foot;
@@ -105,6 +96,7 @@ void FingerPage::connect_parts() {
   connect(open_, &QPushButton::clicked, this, &FingerPage::open_finger_requested);
   connect(record_, &QPushButton::clicked, this, &FingerPage::record_requested);
   connect(reference_image_, &QPushButton::clicked, this, &FingerPage::take_reference_image);
+  connect(reference_file_, &QPushButton::clicked, this, &FingerPage::choose_reference_image);
   connect(change_, &QPushButton::clicked, this, &FingerPage::change_sizes);
   for (NumberField* size : {width_, layer_})
     connect(size, &NumberField::text_changed, this, &FingerPage::show_sizes);
@@ -117,6 +109,7 @@ void FingerPage::name_parts() {
   open_->setText(tr("&Open a finger…"));
   record_->setText(tr("&Go to Record"));
   reference_image_->setText(tr("Take the &untouched image now"));
+  reference_file_->setText(tr("Untouched image from a &file…"));
   width_label_->setText(tr("&Width of the face"));
   width_->setAccessibleName(tr("Width of the face"));
   layer_label_->setText(tr("&Layer thickness"));
@@ -124,6 +117,7 @@ void FingerPage::name_parts() {
   for (NumberField* size : {width_, layer_}) size->setSuffix(tr(" mm"));
   change_->setText(tr("&Change"));
   change_->setToolTip(tr("A calibrated finger then needs a new calibration."));
+  reference_->reserve_for({reference_text(false, false), reference_text(true, false)});
   show_status();
 }
 
@@ -216,21 +210,23 @@ void FingerPage::show_status() {
     shown_sizes_ = sizes;
   }
   show_sizes();
-  if (const auto write_problem = disk_.problem())
-    problems_->set_problems({Problem::of(*write_problem)});
+  if (const auto write_problem = disk_.problem()) set_problems({Problem::of(*write_problem)});
   const bool is_flat = finger.finger->face.kind == FaceKind::kFlat;
   record_->setVisible(!is_flat);
-  reference_image_->setVisible(is_flat);
+  for (QPushButton* button : {reference_image_, reference_file_}) button->setVisible(is_flat);
   reference_image_->setEnabled(session_.view() != nullptr && !work_.is_running());
-  if (finger.has_reference)
-    reference_->setText(is_flat ? tr("The untouched image is available.")
-                                : tr("The reference recording is installed."));
-  else
-    reference_->setText(
-        is_flat
-            ? tr("Every press is compared with one image of the untouched face.")
-            : tr("Every press is compared with an image of the finger in the same bend, untouched. "
-                 "Record the finger bending in all directions, then install the recording."));
+  reference_file_->setEnabled(!work_.is_running());
+  reference_->setText(reference_text(is_flat, finger.has_reference));
+}
+
+QString FingerPage::reference_text(bool is_flat, bool has_reference) {
+  if (has_reference)
+    return is_flat ? tr("The untouched image is available.")
+                   : tr("The reference recording is installed.");
+  return is_flat ? tr("Every press is compared with one image of the untouched face.")
+                 : tr("Every press is compared with an image of the finger in the same bend, "
+                      "untouched. "
+                      "Record the finger bending in all directions, then install the recording.");
 }
 
 void FingerPage::make_finger() {
@@ -251,13 +247,32 @@ void FingerPage::take_reference_image() {
   if (!has_folder() || !session_.view()) return;
   const FramePtr frame = session_.view()->result.frame;
   if (!frame) return;
-  work_.start([this, frame, folder = session_.status().finger.folder](const Job&) {
-    const Status status = install_reference_image(folder, *frame);
-    return std::function<void()>([this, status] {
-      problems_->set_problems(status ? std::vector<Problem>()
-                                     : std::vector{Problem::of(status.error())});
-    });
+  install_reference_image([frame]() -> Result<UntouchedImage> {
+    return UntouchedImage{frame->grey, frame->controls ? *frame->controls : std::string(),
+                          en::say("the camera")};
   });
+}
+
+void FingerPage::choose_reference_image() {
+  ask_for_file(
+      this, FilesOf::kImages, tr("Untouched image"), image_filter(), [this](const QString& file) {
+        install_reference_image([file = file.toStdString()] { return read_untouched_image(file); });
+      });
+}
+
+void FingerPage::install_reference_image(std::function<Result<UntouchedImage>()> image) {
+  if (!has_folder()) return;
+  work_.start(
+      [this, image = std::move(image), folder = session_.status().finger.folder](const Job&) {
+        const auto read = image();
+        Status status = read ? Status() : Status(read.error());
+        if (read)
+          if (const auto warnings = set_untouched_image(folder, *read); !warnings)
+            status = warnings.error();
+        return std::function<void()>([this, status] {
+          set_problems(status ? std::vector<Problem>() : std::vector{Problem::of(status.error())});
+        });
+      });
   show_status();
 }
 

@@ -1,6 +1,7 @@
 // Step 2, the finger: its geometry, and its contact-free reference.
 #pragma once
 
+#include "calibration/reference/reference_recording.h"
 #include "core/base/slow_disk.h"
 #include "widgets/background_work.h"
 #include "widgets/calibrating/step_page.h"
@@ -8,7 +9,6 @@
 #include "widgets/live/live_session.h"
 #include "widgets/panels/image_panel.h"
 #include "widgets/shell/new_finger_dialog.h"
-#include "widgets/shell/problem_list.h"
 
 #include <QGroupBox>
 #include <QPushButton>
@@ -27,6 +27,8 @@ class FingerPage : public StepPage {
   [[nodiscard]] QVBoxLayout* foot() const override { return foot_; }
   [[nodiscard]] QWidget* main_control() const override { return make_; }
   [[nodiscard]] const QPushButton* action_button() const override;
+  /// Its button leads to the page Record.
+  [[nodiscard]] bool leads_to_record() const { return record_->isVisible(); }
   void show_status();
   /// Camera file of a new finger; may be empty.
   void set_camera_file(const std::filesystem::path& file) { camera_file_ = file; }
@@ -46,6 +48,9 @@ class FingerPage : public StepPage {
   void name_parts();
   void make_finger();
   void take_reference_image();
+  void choose_reference_image();
+  void install_reference_image(std::function<Result<UntouchedImage>()> image);
+  [[nodiscard]] static QString reference_text(bool is_flat, bool has_reference);
   void show_sizes();
   void change_sizes();
   /// Width of the face and thickness of the layer, mm.
@@ -57,10 +62,10 @@ class FingerPage : public StepPage {
   QUndoStack& undo_;
   ImagePanel* live_;
   std::filesystem::path camera_file_;
-  ProblemList* problems_;
   QGroupBox *geometry_group_, *reference_group_;
-  QLabel *geometry_, *reference_;
-  QPushButton *make_, *open_, *record_, *reference_image_;
+  QLabel* geometry_;
+  ReservedText* reference_;
+  QPushButton *make_, *open_, *record_, *reference_image_, *reference_file_;
   QLabel *width_label_, *layer_label_;
   NumberField *width_, *layer_;
   QWidget* sizes_;

@@ -105,6 +105,7 @@ Overlay lens_grid_overlay(const Camera& camera) {
 }
 
 constexpr int kLensSideWidth = 280, kGroupMargin = 0;
+constexpr int kOutcomeLines = 2, kBoardGuideLines = 3, kLensForecastLines = 2;
 constexpr int kLongestLine = 28;  // letters; longer lines widen the column
 
 /// Breaks a long text at the space nearest to its middle.
@@ -176,7 +177,6 @@ LensPage::LensPage(LiveSession& session, std::filesystem::path work_folder, QWid
       work_folder_(std::move(work_folder)),
       live_(new ImagePanel(session)),
       summary_(wrapped_text()),
-      problems_(new ProblemList),
       file_group_(new QGroupBox),
       board_group_(new QGroupBox),
       live_group_(new QGroupBox),
@@ -189,16 +189,15 @@ LensPage::LensPage(LiveSession& session, std::filesystem::path work_folder, QWid
       stop_(new QPushButton),
       form_(new LensForm),
       images_label_(new QLabel),
-      outcome_(wrapped_text()),
+      outcome_(new ReservedText(kOutcomeLines)),
       bar_(new QProgressBar),
       take_(new QPushButton),
       forget_(new QPushButton),
       automatic_(new QCheckBox),
-      guide_(wrapped_text()),
-      forecast_(wrapped_text()),
+      guide_(new ReservedText(kBoardGuideLines)),
+      forecast_(new ReservedText(kLensForecastLines)),
       views_(new QListWidget) {
   auto* column = without_margins(new QVBoxLayout(this));
-  column->addWidget(problems_);
   auto* row = new QHBoxLayout;
   row->addWidget(live_, 1);
   row->addWidget(make_side());
@@ -218,7 +217,7 @@ QWidget* LensPage::make_side() {
   auto* live = new QVBoxLayout(live_group_);
   add_widgets(*live, {take_, automatic_, guide_});
   side.column->addWidget(live_group_);
-  views_->setMinimumHeight(100);
+  views_->setFixedHeight(100);
   views_->setWordWrap(true);
   side.column->addWidget(forecast_);
   side.column->addWidget(views_, 1);
@@ -232,9 +231,10 @@ QWidget* LensPage::make_side() {
   side.column->addWidget(file_group_);
   auto* board = new QVBoxLayout(board_group_);
   auto* run = new QHBoxLayout;
-  run->addWidget(measure_);
+  for (QWidget* shown : std::initializer_list<QWidget*>{bar_, stop_}) reserve_room(*shown);
   run->addWidget(bar_, 1);
   run->addWidget(stop_);
+  board->addWidget(measure_);
   board->addLayout(run);
   board->addWidget(outcome_);
   auto* images = new QHBoxLayout;
@@ -249,6 +249,7 @@ QWidget* LensPage::make_side() {
     const QMargins margins = inside->contentsMargins();
     inside->setContentsMargins(kGroupMargin, margins.top(), kGroupMargin, margins.bottom());
   }
+  set_primary(*choose_file_, false);
   images_label_->setBuddy(images_);
   foot_ = side.foot;
   return side.root;
@@ -261,12 +262,13 @@ void LensPage::connect_parts() {
   for (QLineEdit* line : {file_, images_}) show_text_as_tip(*line);
   connect(choose_file_, &QPushButton::clicked, this, [this] {
     ask_for_file(
-        this, tr("Camera file"), tr("Camera (*.yaml *.yml *.json *.xml *.cameramodel *.txt)"),
+        this, FilesOf::kCameras, tr("Camera file"),
+        tr("Camera (*.yaml *.yml *.json *.xml *.cameramodel *.txt)"),
         [this](const QString& file) { take_file(file.toStdString()); }, file_->text());
   });
   connect(choose_images_, &QPushButton::clicked, this, [this] {
     ask_for_folder(
-        this, tr("Folder of board images"),
+        this, FilesOf::kImages, tr("Folder of board images"),
         [this](const QString& folder) { images_->setText(folder); }, images_->text());
   });
   connect(simulated_, &QPushButton::clicked, this, &LensPage::use_simulated);
@@ -309,11 +311,11 @@ void LensPage::name_parts() {
   bar_->setAccessibleName(tr("Progress of the lens calibration"));
   outcome_->setAccessibleName(tr("Outcome of the lens calibration"));
   take_->setText(in_two_lines(tr("&Take this board (Space)")));
-  automatic_->setText(tr("Automat&ically when new and still"));
+  automatic_->setText(tr("Automatically when ne&w and still"));
   automatic_->setToolTip(tr("Takes the board when it is held still at a new position or tilt"));
   guide_->setAccessibleName(tr("How to hold the board"));
   views_->setAccessibleName(tr("Views of the board, with their errors"));
-  forget_->setText(tr("Leave the chosen view out"));
+  forget_->setText(in_two_lines(tr("Leave the chosen view out")));
   show_status();
   show_progress();
   show_boards();
@@ -375,7 +377,7 @@ void LensPage::take_file(const std::filesystem::path& file) {
     for (const Message& warning : camera->warnings)
       problems.push_back(Problem::of(Error{warning, "", ""}, Meaning::kDoubtful));
   }
-  problems_->set_problems(std::move(problems));
+  set_problems(std::move(problems));
   file_->setText(QString::fromStdString(file.string()));
   show_status();
   Q_EMIT changed();
@@ -387,20 +389,20 @@ void LensPage::use_simulated() {
   const auto file = work_folder_ / "simulated_camera.yaml";
   Status saved = make_folder(work_folder_);
   if (saved) saved = save_camera(file, finger.finger->camera);
-  if (!saved) return problems_->set_problems({Problem::of(saved.error())});
+  if (!saved) return set_problems({Problem::of(saved.error())});
   take_file(file);
 }
 
 void LensPage::measure() {
   const std::filesystem::path images = images_->text().trimmed().toStdString();
   if (const QString refused = form_->refusal(); !refused.isEmpty())
-    return problems_->set_problems({{Meaning::kBad, refused}});
+    return set_problems({{Meaning::kBad, refused}});
   if (images.empty())
-    return problems_->set_problems({{Meaning::kBad, tr("No folder of images is specified.")}});
+    return set_problems({{Meaning::kBad, tr("No folder of images is specified.")}});
   std::error_code failed;
   const bool is_folder = std::filesystem::is_directory(images, failed);
   const auto file = (is_folder ? images : images.parent_path()) / "camera.yaml";
-  problems_->set_problems({});
+  set_problems({});
   outcome_->clear();
   work_.start([this, images, file, board = form_->board(), settings = form_->settings(),
                port = form_->port(), disk = disk_](const Job& job) {
@@ -415,7 +417,7 @@ void LensPage::measure() {
       saved = measured.error();
     }
     return std::function<void()>([this, measured, saved, file] {
-      if (!saved) return problems_->set_problems({Problem::of(saved.error())});
+      if (!saved) return set_problems({Problem::of(saved.error())});
       outcome_->setText(tr("Written to %1.").arg(QString::fromStdString(file.string())));
       show_views(measured->views);
       const Message& advice = measured->coverage.advice;
@@ -453,7 +455,6 @@ void LensPage::show_views(const std::vector<LensViewReport>& views) {
 void LensPage::show_progress() {
   const bool is_running = work_.is_running();
   measure_->setEnabled(!is_running);
-  outcome_->setVisible(!outcome_->text().isEmpty());
   bar_->setVisible(is_running);
   stop_->setVisible(is_running);
   bar_->setValue(static_cast<int>(100 * work_.fraction()));
@@ -785,10 +786,9 @@ void LensPage::show_boards() {
     words += QLatin1Char('\n') +
              tr("Still missing: %1.").arg(in_window_language(fitted_->coverage.advice));
   guide_->setText(words);
-  views_->setVisible(!has_folder() && views_->count() > 0);
-  forecast_->setVisible(!has_folder() && !forecast_->text().isEmpty());
-  forget_->setVisible(!has_folder() && !boards_folder_.empty());
-  forget_->setEnabled(views_->currentItem() != nullptr);
+  for (QWidget* widget : std::initializer_list<QWidget*>{views_, forecast_, forget_})
+    widget->setVisible(!has_folder());
+  forget_->setEnabled(views_->currentItem() != nullptr && !boards_folder_.empty());
 }
 
 std::vector<Overlay> LensPage::overlays(const LiveView& view) const {

@@ -10,7 +10,6 @@
 #include "widgets/controls/number_field.h"
 #include "widgets/live/live_session.h"
 #include "widgets/panels/image_panel.h"
-#include "widgets/shell/problem_list.h"
 #include "widgets/widget_base.h"
 
 #include <QCheckBox>
@@ -106,7 +105,6 @@ class LensPage : public StepPage {
   std::filesystem::path work_folder_;
   ImagePanel* live_;
   QLabel* summary_;
-  ProblemList* problems_;
   QGroupBox *file_group_, *board_group_, *live_group_;
   QLineEdit *file_, *images_;
   QPushButton *choose_file_, *choose_images_, *simulated_, *measure_, *stop_;

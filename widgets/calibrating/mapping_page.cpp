@@ -12,6 +12,11 @@
 #include <cmath>
 
 namespace alltact {
+namespace {
+
+constexpr int kProgressLines = 2, kTextLines = 1;
+
+}  // namespace
 
 MappingPage::MappingPage(PressCollection& collection, CalibrationRun& run, PressForecast& forecast,
                          QWidget* parent)
@@ -19,15 +24,12 @@ MappingPage::MappingPage(PressCollection& collection, CalibrationRun& run, Press
       collection_(collection),
       run_(run),
       forecast_(forecast),
-      problems_(new ProblemList),
       calibrate_(new QPushButton),
       compare_(new QPushButton),
       stop_(new QPushButton),
       bar_(new QProgressBar),
-      progress_(wrapped_text()),
-      text_(wrapped_text()),
-      running_(new QWidget),
-      log_(new QListWidget),
+      progress_(new ReservedText(kProgressLines)),
+      text_(new ReservedText(kTextLines)),
       convergence_(new ConvergencePlot),
       figures_(new QWidget),
       chosen_row_(new QWidget),
@@ -40,13 +42,14 @@ MappingPage::MappingPage(PressCollection& collection, CalibrationRun& run, Press
       residual_(new FaceMapPlot),
       sd_(new FaceMapPlot) {
   auto* column = without_margins(new QVBoxLayout(this));
-  column->addWidget(problems_);
   auto* row = new QHBoxLayout;
   calibrate_->setMinimumWidth(160);
-  row->addWidget(calibrate_);
-  row->addWidget(compare_);
-  row->addWidget(bar_, 1);
-  row->addWidget(stop_);
+  for (QWidget* shown : std::initializer_list<QWidget*>{compare_, bar_, stop_})
+    reserve_room(*shown);
+  row->addWidget(calibrate_, 0, Qt::AlignTop);
+  row->addWidget(compare_, 0, Qt::AlignTop);
+  row->addWidget(bar_, 1, Qt::AlignTop);
+  row->addWidget(stop_, 0, Qt::AlignTop);
   row->addWidget(progress_, 2);
   column->addLayout(row);
   column->addWidget(text_);
@@ -55,9 +58,6 @@ MappingPage::MappingPage(PressCollection& collection, CalibrationRun& run, Press
   chosen->addWidget(show_press_);
   chosen->addWidget(leave_out_);
   column->addWidget(chosen_row_);
-  auto* running = without_margins(new QHBoxLayout(running_));
-  running->addWidget(log_, 1);
-  running->addWidget(convergence_, 1);
   auto* figures = without_margins(new QGridLayout(figures_));
   figures->addWidget(mapping_, 0, 0);
   figures->addWidget(errors_, 0, 1);
@@ -68,7 +68,7 @@ MappingPage::MappingPage(PressCollection& collection, CalibrationRun& run, Press
     figures->setRowStretch(i, 1);
   }
   // Only one of them is visible at a time.
-  column->addWidget(running_, 1);
+  column->addWidget(convergence_, 1);
   column->addWidget(figures_, 1);
   column->addWidget(drawing_, 1);
   connect(calibrate_, &QPushButton::clicked, &run_, &CalibrationRun::start);
@@ -88,8 +88,15 @@ MappingPage::MappingPage(PressCollection& collection, CalibrationRun& run, Press
            "report"));
     stop_->setText(tr("&Stop"));
     stop_->setToolTip(tr("Retains the best solution so far"));
-    log_->setAccessibleName(tr("Calibration log"));
     bar_->setAccessibleName(tr("Progress of the calibration"));
+    drawing_->setAccessibleName(tr("A ball in the layer, seen from its side"));
+    drawing_->show_names({tr("Clear silicone"),
+                          tr("Untouched face"),
+                          {},
+                          tr("Depth"),
+                          tr("Layer thickness"),
+                          tr("Ball"),
+                          {}});
     mapping_->setAccessibleName(tr("Depth over brightness difference"));
     errors_->setAccessibleName(tr("Error of every press, worst first"));
     shown_.reset();
@@ -167,8 +174,8 @@ void MappingPage::show_status() {
   show_progress();
   std::vector<Problem> problems;
   if (run_.problem() && !is_running) problems.push_back(Problem::of(*run_.problem()));
-  problems_->set_problems(std::move(problems));
-  show_log();
+  set_problems(std::move(problems));
+  if (is_running) convergence_->set_rounds(run_.rounds());
   show_figures();
   Q_EMIT changed();
 }
@@ -219,22 +226,10 @@ void MappingPage::hideEvent(QHideEvent* event) {
   StepPage::hideEvent(event);
 }
 
-void MappingPage::show_log() {
-  const bool is_running = run_.is_running();
-  if (is_running && !was_running_) log_->clear();
-  was_running_ = is_running;
-  running_->setVisible(is_running);
-  if (is_running) convergence_->set_rounds(run_.rounds());
-  const QString what = in_window_language(run_.work().what());
-  const int count = log_->count();
-  if (!is_running || what.isEmpty() || (count > 0 && log_->item(count - 1)->text() == what)) return;
-  log_->addItem(what);
-  log_->scrollToBottom();
-}
-
 /// Of the calibration in use or, before the first, of the forecast.
 void MappingPage::show_figures() {
   const auto& done = run_.result() ? run_.result() : forecast_.result();
+  convergence_->setVisible(run_.is_running());
   figures_->setVisible(done != nullptr && !run_.is_running());
   drawing_->setVisible(done == nullptr && !run_.is_running());
   if (done != shown_ || !done) {

@@ -8,9 +8,7 @@
 #include "widgets/plots/face_map_plot.h"
 #include "widgets/plots/press_plots.h"
 #include "widgets/shell/finger_drawing.h"
-#include "widgets/shell/problem_list.h"
 
-#include <QListWidget>
 #include <QProgressBar>
 #include <QPushButton>
 
@@ -48,19 +46,14 @@ class MappingPage : public StepPage {
   void choose();
   void show_plots();
   void show_chosen();
-  void show_log();
 
   PressCollection& collection_;
   CalibrationRun& run_;
   PressForecast& forecast_;
-  ProblemList* problems_;
   QPushButton *calibrate_, *compare_, *stop_;
   QProgressBar* bar_;
   QLabel *progress_, *text_;
-  QWidget* running_;  // visible while a calibration runs
-  QListWidget* log_;  // finished stages of the run
   ConvergencePlot* convergence_;
-  bool was_running_ = false;
   QWidget* figures_;     // figures of the calibration or of its forecast
   QWidget* chosen_row_;  // row for the press chosen in the error plot
   QLabel* chosen_;

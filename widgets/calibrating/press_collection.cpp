@@ -211,7 +211,7 @@ void PressCollection::toggle_left_out(const std::string& name) {
 }
 
 QString PressCollection::toggle_left_out_text(const std::string& name) const {
-  return press_set_.of(name).excluded ? tr("&Put back") : tr("Leave &out");
+  return press_set_.of(name).excluded ? tr("&Put back") : tr("Leave o&ut");
 }
 
 bool PressCollection::is_usable(const CollectedPress& press) const {

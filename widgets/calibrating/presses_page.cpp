@@ -30,6 +30,8 @@ namespace {
 
 constexpr int kPressSideWidth = 268;
 constexpr int kMinListHeight = 150;
+constexpr int kForecastLines = 2, kGuideLines = 2, kPressLines = 2;
+constexpr int kDetailsWidth_px = 260;
 
 }  // namespace
 
@@ -41,9 +43,8 @@ PressesPage::PressesPage(LiveSession& session, PressCollection& collection,
       run_(run),
       forecast_(forecast),
       model_(collection, run),
-      problems_(new ProblemList),
-      count_(wrapped_text()),
-      forecast_words_(wrapped_text()),
+      count_(new ReservedText),
+      forecast_words_(new ReservedText(kForecastLines)),
       list_(new PressListView),
       add_(new QPushButton),
       leave_out_(new QPushButton),
@@ -67,14 +68,11 @@ PressesPage::PressesPage(LiveSession& session, PressCollection& collection,
       take_(new QPushButton),
       find_(new QPushButton),
       automatic_(new QCheckBox),
-      take_reason_(wrapped_text()),
-      guide_(wrapped_text()),
-      waiting_reason_(wrapped_text()),
-      taken_(wrapped_text()),
-      press_text_(wrapped_text()),
+      guide_(new ReservedText(kGuideLines)),
+      take_state_(new ReservedText),
+      press_text_(new ReservedText(kPressLines)),
       legend_(wrapped_text()) {
   auto* column = without_margins(new QVBoxLayout(this));
-  column->addWidget(problems_);
   auto* row = new QHBoxLayout;
   row->addWidget(make_views(), 1);
   row->addWidget(make_side());
@@ -94,7 +92,10 @@ QWidget* PressesPage::make_views() {
   inside->addWidget(editor_, 3);
   position_->setMinimumWidth(1);
   inside->addWidget(position_);
-  inside->addWidget(fit_pane_, 2);
+  auto* below = new QHBoxLayout;
+  below->addWidget(make_press());
+  below->addWidget(fit_pane_, 1);
+  inside->addLayout(below, 2);
   views_->addWidget(live_);
   views_->addWidget(edited);
   column->addWidget(views_, 1);
@@ -116,7 +117,6 @@ QWidget* PressesPage::make_side() {
   }
   side.column->addLayout(shown);
   make_taking(*side.column);
-  make_press(*side.column);
   make_list(*side.column);
   foot_ = side.foot;
   return side.root;
@@ -129,9 +129,9 @@ void PressesPage::make_taking(QVBoxLayout& column) {
   radius_->setSingleStep(0.1);
   radius_label_->setBuddy(radius_);
   operator_label_->setBuddy(operator_);
-  add_widgets(column, {take_, take_reason_, taken_});
+  add_widgets(column, {take_, take_state_});
   auto* inside = new QVBoxLayout(take_group_);
-  add_widgets(*inside, {guide_, automatic_, waiting_reason_});
+  add_widgets(*inside, {guide_, automatic_});
   auto* form = new QFormLayout;
   form->addRow(radius_label_, radius_);
   form->addRow(operator_label_, operator_);
@@ -139,7 +139,9 @@ void PressesPage::make_taking(QVBoxLayout& column) {
   column.addWidget(take_group_);
 }
 
-void PressesPage::make_press(QVBoxLayout& column) {
+/// Below the press's image, not among the controls that take presses: those stay where they are.
+QWidget* PressesPage::make_press() {
+  const SidePanel side(kDetailsWidth_px);
   auto* inside = new QVBoxLayout(press_group_);
   inside->addWidget(press_text_);
   inside->addWidget(fit_pane_->words());
@@ -149,7 +151,9 @@ void PressesPage::make_press(QVBoxLayout& column) {
   more_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   inside->addWidget(form_);
   inside->addWidget(legend_);
-  column.addWidget(press_group_);
+  side.column->addWidget(press_group_);
+  side.column->addStretch();
+  return side.root;
 }
 
 void PressesPage::make_list(QVBoxLayout& column) {
@@ -170,7 +174,7 @@ void PressesPage::connect_parts() {
   connect(&collection_, &PressCollection::refused, this, [this](const Problem& problem) {
     refused_ = problem;
     show_problems();
-    show_taken();
+    show_take();
   });
   connect(&run_, &CalibrationRun::changed, this, &PressesPage::show_shown);
   connect(&forecast_, &PressForecast::changed, this, [this] {
@@ -239,6 +243,10 @@ void PressesPage::name_parts() {
       tr("Yellow: the ball's outline, dashed if found by the program, solid if set by hand. Blue: "
          "where the ball meets the untouched face, roughly the dark disc."));
   position_->setAccessibleName(tr("Position of the ball"));
+  take_state_->reserve_for({taken_words(QStringLiteral("press_00"), 1),
+                            waiting_words(PressTaker::State::kWaits),
+                            waiting_words(PressTaker::State::kRefused)});
+  count_->reserve_for({no_press_text()});
   show_status();
 }
 
@@ -261,9 +269,10 @@ QString PressesPage::missing() const {
 }
 
 void PressesPage::choose_files() {
-  auto* dialog = new QFileDialog(this, tr("Images of presses"), QString(),
-                                 tr("Images (*.png *.jpg *.jpeg *.bmp *.tif *.tiff *.pgm)"));
+  auto* dialog = new QFileDialog(this, tr("Images of presses"), QString(), image_filter());
   dialog->setFileMode(QFileDialog::ExistingFiles);
+  begin_in_last_folder(*dialog, FilesOf::kImages,
+                       QString::fromStdString(collection_.folder().string()));
   connect(dialog, &QFileDialog::filesSelected, this, [this](const QStringList& files) {
     std::vector<std::filesystem::path> inputs;
     for (const QString& file : files) inputs.emplace_back(file.toStdString());
@@ -295,13 +304,17 @@ void PressesPage::show_problems() {
   std::vector<Problem> problems;
   if (const auto problem = collection_.problem()) problems.push_back(Problem::of(*problem));
   if (refused_) problems.push_back(*refused_);
-  problems_->set_problems(std::move(problems));
+  set_problems(std::move(problems));
 }
 
 void PressesPage::show_forecast() {
   const QString text = forecast_text(forecast_, run_);
   forecast_words_->setText(text);
-  forecast_words_->setVisible(!text.isEmpty());
+}
+
+QString PressesPage::no_press_text() {
+  return tr(
+      "No press yet. Press the ball in at different positions and depths: base, middle and tip.");
 }
 
 void PressesPage::show_status() {
@@ -324,8 +337,7 @@ void PressesPage::show_status() {
   const int count = static_cast<int>(collection_.presses().size());
   const int usable = collection_.usable_count();
   count_->setText(count == 0
-                      ? tr("No press yet. Press the ball in at different positions and depths: "
-                           "base, middle and tip.")
+                      ? no_press_text()
                       : tr("%n press(es), ", nullptr, count) + tr("%n usable", nullptr, usable));
   radius_->setEnabled(collection_.is_ready());
   operator_->setEnabled(collection_.is_ready());
@@ -431,6 +443,8 @@ void PressForm::choose_mesh() {
   auto* dialog = new QFileDialog(this, tr("Mesh of the body"), QString(),
                                  tr("Meshes (*.stl *.obj *.STL *.OBJ)"));
   dialog->setFileMode(QFileDialog::ExistingFile);
+  begin_in_last_folder(*dialog, FilesOf::kMeshes,
+                       QString::fromStdString(collection_.folder().string()));
   connect(dialog, &QFileDialog::fileSelected, this, [this, press = shown_](const QString& file) {
     collection_.set_body_of(press, file.toStdString());
   });
@@ -463,6 +477,7 @@ void PressForm::show_press(const std::string& name) {
 namespace {
 
 constexpr int kOpaque = 170;  // of 255
+constexpr int kFitLines = 3;
 
 Overlay squares_overlay(const PressFit& fit) {
   return [fit](QPainter& painter, const ImageTransform& transform) {
@@ -492,20 +507,19 @@ std::vector<Overlay> residual_overlays(const PressFit& fit) {
 }
 
 PressFitPane::PressFitPane(QWidget* parent)
-    : Translated(parent), plot_(new MappingPlot), words_(wrapped_text()) {
+    : Translated(parent), plot_(new MappingPlot), words_(new ReservedText(kFitLines)) {
   auto* row = without_margins(new QHBoxLayout(this));
   row->addWidget(plot_, 1);
   words_->setTextFormat(Qt::RichText);
   say([this] { words_->setAccessibleName(tr("Mapping minus ball in this press")); });
-  hide();
-  words_->hide();
 }
 
 void PressFitPane::show_fit(const PressFit* fit, const PressFit* before,
                             const Calibration* calibration, const QString& forecast) {
-  setVisible(fit != nullptr && calibration != nullptr);
-  words_->setVisible(fit != nullptr && calibration != nullptr);
-  if (fit == nullptr || calibration == nullptr) return;
+  if (fit == nullptr || calibration == nullptr) {
+    plot_->set_data({});
+    return words_->clear();
+  }
   MappingPlotData data = mapping_figure(*calibration, {fit->residuals});
   data.is_small = true;
   plot_->set_data(std::move(data));
@@ -609,9 +623,6 @@ void PressesPage::show_shown() {
   press_button_->setText(press != nullptr ? as_text(press->name) : tr("Chosen &press"));
   press_button_->setEnabled(!collection_.presses().empty());
   views_->setCurrentIndex(press == nullptr ? 0 : 1);
-  take_group_->setVisible(press == nullptr);
-  press_group_->setVisible(press != nullptr);
-  residual_->setVisible(press != nullptr);
   leave_out_->setEnabled(press != nullptr && collection_.is_ready());
   form_->setEnabled(collection_.is_ready());
   remove_->setEnabled(press != nullptr && press->frame);
@@ -742,7 +753,6 @@ void PressesPage::begin_series() {
   series_left_ = usable < kSeries ? kSeries - usable : kSeries;
   is_series_over_ = false;
   still_.begin();
-  show_take();
   show_guide();
 }
 
@@ -757,13 +767,11 @@ void PressesPage::watch_contact() {
   const auto taken =
       taker_.see(can_take ? result.frame : FramePtr(), guided_.contact, monotonic_s());
   guided_.hold_fraction = held_part();
-  show_guide();
   if (taken)
     add_taken(*taken);
   else if (is_still)
     take_automatically();
-  else
-    show_take();
+  show_guide();
 }
 
 void PressesPage::take_automatically() {
@@ -772,7 +780,6 @@ void PressesPage::take_automatically() {
   const QSignalBlocker quiet(automatic_);
   automatic_->setChecked(false);
   is_series_over_ = true;
-  show_guide();
 }
 
 QString PressesPage::auto_take_obstacle() const {
@@ -796,35 +803,29 @@ QString PressesPage::auto_take_obstacle() const {
 void PressesPage::show_guide() {
   const bool is_face_seen = guided_.layer_mm > 0;
   guide_->setText(is_face_seen ? guide_words(guided_) : QString());
-  guide_->setVisible(is_face_seen);
-  const QString why = auto_take_obstacle();
-  waiting_reason_->setText(why);
-  waiting_reason_->setVisible(!why.isEmpty());
+  show_take();
 }
 
 void PressesPage::show_take() {
-  const QString reason = take_obstacle();
-  take_->setEnabled(reason.isEmpty());
-  take_reason_->setText(reason);
-  take_reason_->setVisible(!reason.isEmpty());
-  show_taken();
+  const QString obstacle = take_obstacle();
+  take_->setEnabled(obstacle.isEmpty());
+  const QString waiting = taker_.state() != PressTaker::State::kIdle ? waiting_words(taker_.state())
+                                                                     : auto_take_obstacle();
+  take_state_->setText(!obstacle.isEmpty()  ? obstacle
+                       : !waiting.isEmpty() ? waiting
+                                            : taken_words());
 }
 
-void PressesPage::show_taken() {
-  if (taker_.state() != PressTaker::State::kIdle) {
-    taken_->setText(waiting_words(taker_.state()));
-    return taken_->setVisible(true);
-  }
-  const bool is_there =
-      collection_.find(taken_name_) != nullptr && collection_.is_saved(taken_name_);
-  taken_->setVisible(is_there);
-  if (!is_there) return;
-  const QString name = as_text(taken_name_);
-  taken_->setText(taken_frames_ > 1
-                      ? tr("%1 is taken: the mean of %2 still images.").arg(name).arg(taken_frames_)
-                      : tr("%1 comes from a single image. Hold ball and finger still for half a "
-                           "second to reduce its noise to a quarter.")
-                            .arg(name));
+QString PressesPage::taken_words() const {
+  if (collection_.find(taken_name_) == nullptr || !collection_.is_saved(taken_name_)) return {};
+  return taken_words(as_text(taken_name_), taken_frames_);
+}
+
+QString PressesPage::taken_words(const QString& name, int frames) {
+  return frames > 1 ? tr("%1 is taken: the mean of %2 still images.").arg(name).arg(frames)
+                    : tr("%1 comes from a single image. Hold ball and finger still for half a "
+                         "second to reduce its noise to a quarter.")
+                          .arg(name);
 }
 
 }  // namespace alltact

@@ -12,7 +12,6 @@
 #include "widgets/image/overlays.h"
 #include "widgets/panels/image_panel.h"
 #include "widgets/plots/calibration_plots.h"
-#include "widgets/shell/problem_list.h"
 #include "widgets/widget_base.h"
 
 #include <QAction>
@@ -73,7 +72,7 @@ class PressFitPane : public Translated<QWidget> {
 
  private:
   MappingPlot* plot_;
-  QLabel* words_;
+  ReservedText* words_;
 };
 
 class PressesPage : public StepPage {
@@ -101,7 +100,7 @@ class PressesPage : public StepPage {
   [[nodiscard]] QWidget* make_views();
   [[nodiscard]] QWidget* make_side();
   void make_taking(QVBoxLayout& column);
-  void make_press(QVBoxLayout& column);
+  [[nodiscard]] QWidget* make_press();
   void connect_parts();
   void name_parts();
   void take();
@@ -124,7 +123,9 @@ class PressesPage : public StepPage {
   void show_position();
   void show_forecast();
   void show_take();
-  void show_taken();
+  [[nodiscard]] QString taken_words() const;
+  [[nodiscard]] static QString taken_words(const QString& name, int frames);
+  [[nodiscard]] static QString no_press_text();
   [[nodiscard]] std::vector<Overlay> overlays_of(const CollectedPress& press) const;
   [[nodiscard]] std::optional<ShownBall> ball_of(const CollectedPress& press) const;
   [[nodiscard]] std::optional<PressFit> fit_at(const CollectedPress& press,
@@ -150,8 +151,7 @@ class PressesPage : public StepPage {
   std::size_t taken_frames_ = 0;    // frames averaged into it
   std::optional<Problem> refused_;  // why images could not be added
   std::optional<PressFit> fit_;     // of the press that is shown
-  ProblemList* problems_;
-  QLabel *count_, *forecast_words_;
+  ReservedText *count_, *forecast_words_;
   PressListView* list_;
   QPushButton *add_, *leave_out_, *remove_;
   QPushButton *live_button_, *press_button_;
@@ -169,7 +169,8 @@ class PressesPage : public StepPage {
   QToolButton* more_;
   QPushButton *take_, *find_;
   QCheckBox* automatic_;
-  QLabel *take_reason_, *guide_, *waiting_reason_, *taken_, *press_text_, *legend_;
+  ReservedText *guide_, *take_state_, *press_text_;
+  QLabel* legend_;
 };
 
 }  // namespace alltact

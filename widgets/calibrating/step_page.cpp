@@ -126,6 +126,18 @@ void StepList::changeEvent(QEvent* event) {
   if (event->type() == QEvent::PaletteChange) apply_style();
 }
 
+std::vector<Problem> StepPage::problems() const {
+  std::vector<Problem> problems = problems_;
+  for (Problem& problem : problems)  // in the language of now
+    if (problem.cause) problem = Problem::of(*problem.cause, problem.meaning);
+  return problems;
+}
+
+void StepPage::set_problems(std::vector<Problem> problems) {
+  problems_ = std::move(problems);
+  Q_EMIT problems_changed();
+}
+
 SpaceKey::SpaceKey(QWidget& page, std::function<void()> act)
     : QObject(&page), page_(page), act_(std::move(act)) {
   qApp->installEventFilter(this);

@@ -1,6 +1,7 @@
 // Base class of the pages of a calibration, one a step.
 #pragma once
 
+#include "widgets/shell/problem_list.h"
 #include "widgets/widget_base.h"
 
 #include <QLabel>
@@ -60,6 +61,8 @@ class StepPage : public Translated<QWidget> {
   Q_OBJECT
  public:
   explicit StepPage(QWidget* parent = nullptr) : Translated(parent) {}
+  /// What the step could not do, for the window's notification bar.
+  [[nodiscard]] std::vector<Problem> problems() const;
   [[nodiscard]] virtual QString title() const = 0;
   [[nodiscard]] virtual StepState state() const = 0;
   /// What must be done before the next step; empty: nothing.
@@ -79,6 +82,14 @@ class StepPage : public Translated<QWidget> {
  Q_SIGNALS:
   /// state() or missing() may have changed.
   void changed();
+  /// problems() may have changed.
+  void problems_changed();
+
+ protected:
+  void set_problems(std::vector<Problem> problems);
+
+ private:
+  std::vector<Problem> problems_;
 };
 
 // Makes the space bar act as a foot pedal: it takes the next press wherever the focus is in the

@@ -276,17 +276,17 @@ SecondFingerDialog::SecondFingerDialog(const std::optional<SecondFinger>& now, Q
     connect(line, &QLineEdit::textChanged, this, &SecondFingerDialog::show_missing);
   connect(choose_finger_, &QPushButton::clicked, this, [this] {
     ask_for_folder(
-        this, tr("The second finger's folder"),
+        this, FilesOf::kFingers, tr("The second finger's folder"),
         [this](const QString& folder) { finger_->setText(folder); }, finger_->text());
   });
   const auto take_recording = [this](const QString& path) { recording_->setText(path); };
   connect(choose_video_, &QPushButton::clicked, this, [this, take_recording] {
-    ask_for_file(this, tr("The second finger's video"), video_filter(), take_recording,
-                 recording_->text());
+    ask_for_file(this, FilesOf::kRecordings, tr("The second finger's video"), video_filter(),
+                 take_recording, recording_->text());
   });
   connect(choose_folder_, &QPushButton::clicked, this, [this, take_recording] {
-    ask_for_folder(this, tr("Image folder of the second finger"), take_recording,
-                   recording_->text());
+    ask_for_folder(this, FilesOf::kRecordings, tr("Image folder of the second finger"),
+                   take_recording, recording_->text());
   });
   connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
   connect(buttons_, &QDialogButtonBox::accepted, this, [this] {

@@ -150,10 +150,10 @@ ViewBox::ViewBox(QWidget* parent)
   add_row(difference_top_, [] { return tr("Differe&nce up to"); });
   add_row(times_, [] { return tr("Scale &depth"); });
   auto* grid = static_cast<QGridLayout*>(layout());
-  parts_ = {{new QCheckBox, &SceneOptions::body, [] { return tr("Fin&ger's body"); }},
+  parts_ = {{new QCheckBox, &SceneOptions::body, [] { return tr("Finger's bod&y"); }},
             {new QCheckBox, &SceneOptions::ruler, [] { return tr("R&uler"); }},
             {new QCheckBox, &SceneOptions::camera, [] { return tr("Ca&mera"); }},
-            {new QCheckBox, &SceneOptions::untouched, [] { return tr("Untou&ched face"); }}};
+            {new QCheckBox, &SceneOptions::untouched, [] { return tr("Untouched face"); }}};
   auto* boxes = new QGridLayout;
   for (std::size_t i = 0; i < parts_.size(); ++i)
     boxes->addWidget(parts_[i].box, static_cast<int>(i / 2), static_cast<int>(i % 2));

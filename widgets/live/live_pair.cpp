@@ -424,16 +424,16 @@ SecondCameraDialog::SecondCameraDialog(const std::optional<SecondCamera>& now,
   connect(finger_, &QLineEdit::textChanged, this, &SecondCameraDialog::show_missing);
   connect(source_, &QComboBox::editTextChanged, this, &SecondCameraDialog::show_missing);
   connect(choose_finger_, &QPushButton::clicked, this, [this] {
-    ask_for_folder(this, tr("The second finger's folder"),
+    ask_for_folder(this, FilesOf::kFingers, tr("The second finger's folder"),
                    [this](const QString& folder) { finger_->setText(folder); });
   });
   connect(choose_source_, &QPushButton::clicked, this, [this] {
-    ask_for_file(this, tr("Source of the second finger"),
+    ask_for_file(this, FilesOf::kRecordings, tr("Source of the second finger"),
                  video_filter(QStringLiteral("*.yaml *.yml")),
                  [this](const QString& file) { source_->setEditText(file); });
   });
   connect(choose_gripper_, &QPushButton::clicked, this, [this] {
-    ask_for_file(this, tr("The gripper's file"), tr("Grippers (*.yaml)"),
+    ask_for_file(this, FilesOf::kGrippers, tr("The gripper's file"), tr("Grippers (*.yaml)"),
                  [this](const QString& file) { gripper_->setText(file); });
   });
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);

@@ -247,6 +247,10 @@ QString no_model_text(const std::filesystem::path& folder) {
 
 }  // namespace
 
+bool has_force_model(const FingerStatus& status) {
+  return status.finger && !status.finger->force_model.empty();
+}
+
 QString no_force_reason(const FingerStatus& status) {
   if (status.state == FingerState::kLoading) return ContactWords::tr("The finger is being loaded.");
   if (!status.finger) return ContactWords::tr("Open a finger to see its forces.");

@@ -108,5 +108,6 @@ struct SessionZero {
 
 /// Rich text, with what to do.
 [[nodiscard]] QString no_force_reason(const FingerStatus& status);
+[[nodiscard]] bool has_force_model(const FingerStatus& status);
 
 }  // namespace alltact

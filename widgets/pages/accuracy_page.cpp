@@ -43,7 +43,7 @@ AccuracyPage::AccuracyPage(LiveSession& session, QUndoStack& undo, std::string p
       run_(undo, std::move(program_version)),
       pages_(new QStackedWidget),
       first_words_(wrapped_label()),
-      first_reason_(wrapped_label()),
+      first_reason_(new ReservedText),
       measure_(new QPushButton),
       rate_label_(new QLabel),
       error_label_(new QLabel),
@@ -61,7 +61,7 @@ AccuracyPage::AccuracyPage(LiveSession& session, QUndoStack& undo, std::string p
       more_(new QPushButton),
       copy_(new QPushButton),
       command_(new QLineEdit),
-      standing_(wrapped_label()),
+      standing_(new ReservedText),
       progress_(new QWidget),
       bar_(new QProgressBar),
       left_(new QLabel),
@@ -71,10 +71,12 @@ AccuracyPage::AccuracyPage(LiveSession& session, QUndoStack& undo, std::string p
   running->addWidget(bar_, 1);
   running->addWidget(left_);
   running->addWidget(stop_);
-  column->addWidget(progress_);
+  for (QWidget* shown : std::initializer_list<QWidget*>{progress_, as_calibrated_, more_})
+    reserve_room(*shown);
   pages_->addWidget(make_first());
   pages_->addWidget(make_measured());
   column->addWidget(pages_, 1);
+  column->addWidget(progress_);
   connect_parts();
   say([this] { name_parts(); });
   update_question();
@@ -498,7 +500,6 @@ void AccuracyPage::show_run() {
   show_progress();
   const QString reason = study_obstacle();
   first_reason_->setText(reason);
-  first_reason_->setVisible(!reason.isEmpty());
   measure_->setEnabled(reason.isEmpty() && !run_.is_running());
   measure_->setAccessibleDescription(reason);
   const std::string in_use = key_of(run_.settings_in_use());
@@ -587,7 +588,6 @@ void AccuracyPage::show_answer() {
   }
   const QString standing = shown_ ? standing_text() : QString();
   standing_->setText(standing);
-  standing_->setVisible(!standing.isEmpty());
   const bool is_used = row && in_use == row;
   use_->setText(is_used ? tr("In use") : tr("&Use it"));
   use_->setEnabled(row && !is_used);

@@ -9,6 +9,7 @@
 namespace alltact {
 namespace {
 
+constexpr int kMissingLines = 2;
 constexpr int kGoodPresses = 6;  // with fewer, another press is advised before the next step
 
 }  // namespace
@@ -33,7 +34,7 @@ CalibratePage::CalibratePage(LiveSession& session, QUndoStack& undo,
       column_(new QVBoxLayout(this)),
       foot_(new QWidget),
       foot_row_(new QBoxLayout(QBoxLayout::LeftToRight, foot_)),
-      missing_(wrapped_text()),
+      missing_(new ReservedText(kMissingLines)),
       next_(new QPushButton) {
   column_->setContentsMargins(0, 0, 0, 0);
   column_->setSpacing(3);
@@ -42,12 +43,15 @@ CalibratePage::CalibratePage(LiveSession& session, QUndoStack& undo,
   for (StepPage* page : pages_) {
     stack_->addWidget(page);
     connect(page, &StepPage::changed, this, &CalibratePage::show_steps);
+    connect(page, &StepPage::problems_changed, this, &CalibratePage::problems_changed);
   }
   column_->addWidget(stack_, 1);
   foot_row_->setContentsMargins(0, 0, 0, 0);
   foot_row_->addWidget(new UndoBar(undo, session));
   foot_row_->addWidget(missing_, 1);
   foot_row_->addWidget(next_);
+  set_primary(*next_, false);
+  reserve_room(*next_);  // there is none after the last step
   missing_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   show_page(0);
   connect(next_, &QPushButton::clicked, this, [this] { go_to(step_ + 1); });
@@ -63,7 +67,13 @@ CalibratePage::CalibratePage(LiveSession& session, QUndoStack& undo,
   connect(verdict_, &VerdictPage::check_requested, this, [this] { go_to(kSteps - 1); });
   connect(check_, &CheckPage::checked, &run_, &CalibrationRun::reload);
   connect(&run_, &CalibrationRun::changed, this, &CalibratePage::follow_run);
-  connect(&session_, &LiveSession::status_ready, this, &CalibratePage::follow);
+  connect(&session_, &LiveSession::status_ready, this,
+          [this, followed = std::filesystem::path()]() mutable {
+            const auto& folder = session_.status().finger.folder;
+            follows_due_ = follows_due_ || folder != followed;
+            followed = folder;
+            follow();
+          });
   is_constructed_ = true;
   say([this] { show_steps(); });
 }
@@ -85,14 +95,15 @@ void CalibratePage::follow() {
 }
 
 void CalibratePage::add_problems(std::vector<Problem>& problems) {
+  if (isVisible())
+    for (Problem& problem : pages_[step_]->problems()) problems.push_back(std::move(problem));
   const FingerStatus& finger = session_.status().finger;
   if (finger.state != FingerState::kReady || finger.folder.empty()) return;
   const bool is_recorded = finger.finger->face.kind != FaceKind::kFinRay || finger.has_reference;
   if (!is_recorded || finger.finger->mapping) return;
-  problems.push_back(
-      {Meaning::kDoubtful, tr("This finger is not calibrated yet, so no depth is shown."),
-       tr("Calibrate it with ball presses."), isVisible() ? QString() : tr("&Go to Calibrate"),
-       [this] { Q_EMIT page_requested(name()); }});
+  problems.push_back({Meaning::kDoubtful,
+                      tr("This finger is not calibrated yet, so no depth is shown."),
+                      tr("Calibrate it with ball presses.")});
 }
 
 void CalibratePage::reload() {
@@ -114,7 +125,20 @@ std::size_t CalibratePage::last_open() const {
   return step;
 }
 
-void CalibratePage::begin_next_step() { go_to(has_unseen_verdict_ ? kVerdictStep : last_open()); }
+std::string CalibratePage::leads_to() const {
+  return pages_[step_] == finger_ && finger_->leads_to_record() ? "record" : std::string();
+}
+
+std::size_t CalibratePage::due_step() const {
+  return has_unseen_verdict_ ? kVerdictStep : last_open();
+}
+
+void CalibratePage::begin_next_step() { go_to(due_step()); }
+
+void CalibratePage::showEvent(QShowEvent* event) {
+  Page::showEvent(event);
+  show_steps();
+}
 
 void CalibratePage::follow_run() {
   const bool is_done = was_calibrating_ && !run_.is_running();
@@ -124,13 +148,16 @@ void CalibratePage::follow_run() {
 }
 
 void CalibratePage::go_to(std::size_t step) {
+  follows_due_ = false;
   show_page(std::min(step, last_open()));
   show_steps();
   QWidget* control = pages_[step_]->main_control();
-  (control->isEnabled() && control->isVisible() ? control : pages_[step_])->setFocus();
+  control->isEnabled() && control->isVisible() ? control->setFocus() : focus_next();
 }
 
 void CalibratePage::show_page(std::size_t step) {
+  if (step == step_ && stack_->currentWidget() == pages_[step_] && foot_->parentWidget() != nullptr)
+    return;
   step_ = step;
   stack_->setCurrentWidget(pages_[step_]);
   if (step_ == kVerdictStep) has_unseen_verdict_ = false;
@@ -144,9 +171,14 @@ void CalibratePage::show_page(std::size_t step) {
 void CalibratePage::show_steps() {
   if (!is_constructed_) return;
   finger_->set_camera_file(lens_->camera_file());
+  const bool is_reading = session_.status().finger.state == FingerState::kLoading;
+  if (follows_due_) {
+    show_page(due_step());
+    follows_due_ =
+        !isVisible() || is_reading || (!collection_.folder().empty() && !collection_.is_ready());
+  }
   const std::size_t open = last_open();
   if (step_ > open) show_page(open);  // an earlier step is not done any more
-  const bool is_reading = session_.status().finger.state == FingerState::kLoading;
   std::vector<Step> steps;
   for (std::size_t i = 0; i < kSteps; ++i)
     steps.push_back({pages_[i]->title(),
@@ -158,7 +190,6 @@ void CalibratePage::show_steps() {
   const bool is_last = step_ + 1 == kSteps;
   const QString missing = pages_[step_]->missing();
   missing_->setText(missing);
-  missing_->setVisible(!missing.isEmpty());
   next_->setVisible(!is_last);
   next_->setEnabled(missing.isEmpty());
   if (!is_last) next_->setText(tr("&Next: %1").arg(pages_[step_ + 1]->title()));
@@ -171,12 +202,14 @@ void CalibratePage::show_steps() {
   set_primary(*next_, goes_on);
   const QPushButton* action_button = goes_on ? nullptr : pages_[step_]->action_button();
   for (auto* button : pages_[step_]->findChildren<QPushButton*>())
-    if (button != next_) set_primary(*button, button == action_button);
+    if (button != next_ && (button == action_button || is_primary(*button)))
+      set_primary(*button, button == action_button);
+  follow_focus();
 }
 
 namespace {
 
-constexpr int kMaxTextWidth_px = 200;  // px
+constexpr int kMaxTextWidth_px = 180, kIconAndFrame_px = 40;
 
 }  // namespace
 
@@ -190,6 +223,7 @@ UndoBar::UndoBar(QUndoStack& undo, const LiveSession& session, QWidget* parent)
   add_widgets(*row, {undo_, redo_});
   row->addStretch();
   undo_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  undo_->setFixedWidth(kMaxTextWidth_px + kIconAndFrame_px);  // for all names of steps
   connect(undo_, &QToolButton::clicked, &stack_, &QUndoStack::undo);
   connect(redo_, &QToolButton::clicked, &stack_, &QUndoStack::redo);
   connect(&stack_, &QUndoStack::indexChanged, this, &UndoBar::follow);

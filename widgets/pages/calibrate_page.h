@@ -59,6 +59,7 @@ class CalibratePage : public Page {
   void reload() override;
   /// Opens the first step that is not done.
   void begin_next_step() override;
+  [[nodiscard]] std::string leads_to() const override;
 
   [[nodiscard]] PressCollection& collection() { return collection_; }
   [[nodiscard]] CalibrationRun& run() { return run_; }
@@ -68,6 +69,9 @@ class CalibratePage : public Page {
   /// A calibration was finished, and its verdict page was not opened yet.
   [[nodiscard]] bool has_unseen_verdict() const { return has_unseen_verdict_; }
 
+ protected:
+  void showEvent(QShowEvent* event) override;
+
  private:
   static constexpr std::size_t kSteps = 6, kPressesStep = 2, kVerdictStep = 4;
   void follow();
@@ -75,6 +79,8 @@ class CalibratePage : public Page {
   void show_steps();
   void go_to(std::size_t step);
   void show_page(std::size_t step);
+  /// The step to do next.
+  [[nodiscard]] std::size_t due_step() const;
   /// Last step that can be opened: no earlier step lacks anything.
   [[nodiscard]] std::size_t last_open() const;
 
@@ -94,10 +100,11 @@ class CalibratePage : public Page {
   QVBoxLayout* column_;
   QWidget* foot_;  // Undo and Next: below the page, or in the column next to its image
   QBoxLayout* foot_row_;
-  QLabel* missing_;
+  ReservedText* missing_;
   QPushButton* next_;
   std::size_t step_ = 0;
   bool was_calibrating_ = false, has_unseen_verdict_ = false;
+  bool follows_due_ = true;      // until the page was shown with the finger that is open
   bool is_constructed_ = false;  // pages emit signals while the constructor runs
 };
 

@@ -32,7 +32,6 @@ InspectPage::InspectPage(LiveSession& session, QUndoStack& undo, QWidget* parent
       session_(session),
       undo_(undo),
       pair_(inspection_),
-      problems_(new ProblemList),
       live_(new QPushButton),
       video_(new QPushButton),
       folder_(new QPushButton),
@@ -52,7 +51,6 @@ InspectPage::InspectPage(LiveSession& session, QUndoStack& undo, QWidget* parent
   auto* column = new QVBoxLayout;
   column->setSpacing(3);
   column->addWidget(make_header());
-  column->addWidget(problems_);
   auto* panes = new QHBoxLayout;
   panes->addWidget(first_, 1);
   panes->addWidget(second_, 1);
@@ -99,11 +97,11 @@ QWidget* InspectPage::make_side() {
 void InspectPage::connect_parts() {
   connect(live_, &QPushButton::clicked, this, &InspectPage::go_live);
   connect(video_, &QPushButton::clicked, this, [this] {
-    ask_for_file(this, tr("Open a video"), video_filter(),
+    ask_for_file(this, FilesOf::kRecordings, tr("Open a video"), video_filter(),
                  [this](const QString& file) { open(file.toStdString()); });
   });
   connect(folder_, &QPushButton::clicked, this, [this] {
-    ask_for_folder(this, tr("Open a folder of images"),
+    ask_for_folder(this, FilesOf::kRecordings, tr("Open a folder of images"),
                    [this](const QString& folder) { open(folder.toStdString()); });
   });
   connect(&session_, &LiveSession::view_ready, this, &InspectPage::follow_live);
@@ -337,6 +335,7 @@ ShownForce InspectPage::shown_force() const {
   shown.history = &touch_history();
   if (shown.is_live) shown.zero = session_.force_zero();
   shown.why_none = no_force_reason(session_.status().finger);
+  shown.has_model = has_force_model(session_.status().finger);
   return shown;
 }
 
@@ -347,6 +346,7 @@ void InspectPage::choose_file(const QString& ending) {
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setDefaultSuffix(ending);
   dialog->setNameFilter(QStringLiteral("*.") + ending);
+  begin_in_last_folder(*dialog, FilesOf::kExports);
   if (const auto& frame = inspection_.frame())
     dialog->selectFile(QString::fromStdString(frame->result.frame->name) + QLatin1Char('.') +
                        ending);
@@ -633,12 +633,7 @@ void InspectPage::show_state() {
   side_->set_frame_count(is_recording && recording ? recording->count : 0);
   save_bar_->set_can_save(can_save());
   shown_->setText(shown_text());
-  std::vector<Problem> problems;
-  const bool is_loading = session_.status().finger.state == FingerState::kLoading;
-  if (inspection_.problem() && !is_loading) problems.push_back(Problem::of(*inspection_.problem()));
-  add_other_finger(problems);
-  add_pair_problems(problems);
-  problems_->set_problems(std::move(problems));
+  Q_EMIT problems_changed();
   pair_box_->show_pair(is_recording);
   if (!inspection_.frame()) first_->show_message(empty_reason());
   if (!inspection_.frame() && !options_.second) second_->show_message(empty_reason());
@@ -655,6 +650,14 @@ void InspectPage::add_other_finger(std::vector<Problem>& problems) {
                       {},
                       tr("&Close the recording"),
                       [this] { go_live(); }});
+}
+
+void InspectPage::add_problems(std::vector<Problem>& problems) {
+  if (!isVisible()) return;
+  const bool is_loading = session_.status().finger.state == FingerState::kLoading;
+  if (inspection_.problem() && !is_loading) problems.push_back(Problem::of(*inspection_.problem()));
+  add_other_finger(problems);
+  add_pair_problems(problems);
 }
 
 QString InspectPage::shown_text() const {

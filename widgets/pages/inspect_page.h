@@ -32,6 +32,7 @@ class InspectPage : public Page {
   [[nodiscard]] QString title() const override { return tr("Inspect"); }
   [[nodiscard]] QString menu_text() const override { return tr("&Inspect"); }
 
+  void add_problems(std::vector<Problem>& problems) override;
   void reload() override { inspection_.measure_again(); }
 
   /// A video or a folder of images. Opens it again if it is open already.
@@ -113,7 +114,6 @@ class InspectPage : public Page {
       last_frame_;  // the last frame shown of each recording
   QElapsedTimer since_turn_;
   int turns_ = 0;  // count of turns that are undo steps of their own
-  ProblemList* problems_;
   QPushButton *live_, *video_, *folder_;
   SaveBar* save_bar_;
   QLabel *shown_, *summary_, *saved_, *probe_;

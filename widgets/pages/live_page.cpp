@@ -106,7 +106,7 @@ void LivePage::connect_choices() {
 
 void LivePage::name_parts() {
   overlay_group_->setTitle(tr("Image overlays"));
-  const std::array<QString, 5> names{tr("&Edges of the face"), tr("&Markers with numbers"),
+  const std::array<QString, 5> names{tr("Edges &of the face"), tr("&Markers with numbers"),
                                      tr("Direction of &contact"), tr("&Depth in colours"),
                                      tr("&Too dark or too bright")};
   for (std::size_t i = 0; i < names.size(); ++i) choices_[i].box->setText(names[i]);
@@ -114,7 +114,7 @@ void LivePage::name_parts() {
   choices_[4].box->setToolTip(
       tr("Stripes falling to the right: too bright to measure. "
          "Stripes falling to the left: too dark."));
-  top_label_->setText(tr("Colours &end at"));
+  top_label_->setText(tr("Colours e&nd at"));
   top_->setSuffix(tr(" mm"));
   top_->setAccessibleName(tr("Depth at which the colours end"));
   camera_->setTitle(tr("Camera"));
@@ -138,12 +138,13 @@ QWidget* LivePage::make_side() {
   top->addStretch();
   over->insertLayout(4, top);
   add_widgets(*side.column, {overlay_group_, pair_box_, contact_, force_});
-  (new QVBoxLayout(times_group_))->addWidget(times_);
-  side.column->addWidget(times_group_);
   (new QVBoxLayout(camera_))->addWidget(controls_);
   side.column->addWidget(camera_);
   (new QVBoxLayout(lamp_group_))->addWidget(new LampPanel(lamp_));
   side.column->addWidget(lamp_group_);
+  // Its rows come with the first image: below all controls.
+  (new QVBoxLayout(times_group_))->addWidget(times_);
+  side.column->addWidget(times_group_);
   side.column->addStretch();
   return side.root;
 }
@@ -311,7 +312,7 @@ void StartPanel::name_parts() {
   try_->setToolTip(
       tr("A full day in five minutes: record, press, calibrate and check a simulated finger"));
   simulated_->setText(tr("&Simulated finger"));
-  video_->setText(tr("&Video file…"));
+  video_->setText(tr("Vi&deo file…"));
   folder_->setText(tr("Folder of &images…"));
   finger_->setText(tr("&Open a finger…"));
   all_->setText(tr("&All fingers…"));
@@ -381,6 +382,7 @@ ShownForce LivePage::shown_force() const {
   shown.history = &session_.touch_history();
   shown.zero = session_.force_zero();
   shown.why_none = no_force_reason(session_.status().finger);
+  shown.has_model = has_force_model(session_.status().finger);
   return shown;
 }
 

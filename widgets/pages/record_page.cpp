@@ -30,6 +30,7 @@ namespace {
 
 constexpr int kRecordSideWidth = 306;
 constexpr int kSpaceInterval_ms = 2000;
+constexpr int kProgressLines = 2, kSpaceLines = 1, kDirectionsLines = 3, kJudgedLines = 4;
 
 ViewOptions only_finger() {
   ViewOptions options;
@@ -59,16 +60,16 @@ RecordPage::RecordPage(LiveSession& session, QWidget* parent)
       result_group_(new QGroupBox),
       file_group_(new QGroupBox),
       coverage_view_(new CoverageView),
-      missing_(wrapped_label()),
+      missing_(new ReservedText(kDirectionsLines)),
       rest_(new QPushButton),
       rest_note_(wrapped_label()),
       file_label_(new QLabel),
       file_(new QLineEdit),
       browse_(new QPushButton),
       record_(new QPushButton),
-      reason_(wrapped_label()),
-      progress_(wrapped_label()),
-      space_(wrapped_label()),
+      progress_(new ReservedText(kProgressLines)),
+      space_(new ReservedText(kSpaceLines)),
+      work_(new QStackedWidget),
       summary_(wrapped_label()),
       install_(new QPushButton),
       keep_(new QPushButton),
@@ -78,7 +79,7 @@ RecordPage::RecordPage(LiveSession& session, QWidget* parent)
       stop_install_(new QPushButton),
       bar_(new QProgressBar),
       install_reason_(wrapped_label()),
-      judged_(wrapped_label()),
+      judged_(new ReservedText(kJudgedLines)),
       outcome_(wrapped_label()),
       rejected_(new QListWidget),
       skin_changed_(new QCheckBox),
@@ -112,7 +113,7 @@ void RecordPage::connect_parts() {
   connect(onward_, &QPushButton::clicked, this, [this] { Q_EMIT lead_requested("calibrate"); });
   connect(video_, &QPushButton::clicked, this, [this] {
     ask_for_file(
-        this, tr("Video of the bending finger"), video_filter(),
+        this, FilesOf::kRecordings, tr("Video of the bending finger"), video_filter(),
         [this](const QString& file) {
           report_.reset();
           problem_image_ = {};
@@ -138,11 +139,17 @@ void RecordPage::connect_parts() {
 QWidget* RecordPage::make_side() {
   const SidePanel side(kRecordSideWidth);
   make_recording_group(*side.column);
-  make_result_group(*side.column);
-  side.column->addWidget(rig_box_);
+  auto *bending = new QWidget, *recorded = new QWidget;
+  auto* column = without_margins(new QVBoxLayout(bending));
   auto* coverage = new QVBoxLayout(coverage_group_);
   add_widgets(*coverage, {coverage_view_, missing_, rest_, rest_note_});
-  side.column->addWidget(coverage_group_);
+  for (QWidget* shown : std::initializer_list<QWidget*>{rig_box_, skin_changed_})
+    reserve_room(*shown);
+  add_widgets(*column, {rig_box_, coverage_group_});
+  column->addStretch();
+  make_result_group(*without_margins(new QVBoxLayout(recorded)));
+  for (QWidget* page : {bending, recorded}) work_->addWidget(page);
+  side.column->addWidget(work_);
   make_file_group(*side.column);
   side.column->addStretch();
   return side.root;
@@ -151,7 +158,7 @@ QWidget* RecordPage::make_side() {
 void RecordPage::make_recording_group(QVBoxLayout& column) {
   auto* layout = new QVBoxLayout(recording_group_);
   record_->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_R));
-  add_widgets(*layout, {record_, reason_, progress_, space_});
+  add_widgets(*layout, {record_, progress_, space_});
   column.addWidget(recording_group_);
 }
 
@@ -182,6 +189,7 @@ void RecordPage::make_result_group(QVBoxLayout& column) {
   layout->addLayout(line);
   add_widgets(*layout, {outcome_, onward_, rejected_});
   column.addWidget(result_group_);
+  column.addStretch();
 }
 
 void RecordPage::name_parts() {
@@ -192,7 +200,7 @@ void RecordPage::name_parts() {
   recording_group_->setTitle(tr("Recording"));
   file_group_->setTitle(tr("Files"));
   result_group_->setTitle(tr("Recorded video"));
-  file_label_->setText(tr("&File"));
+  file_label_->setText(tr("Fi&le"));
   file_->setAccessibleName(tr("Recording file"));
   browse_->setText(tr("&Choose…"));
   install_->setText(tr("&Install as this finger's reference"));
@@ -201,7 +209,7 @@ void RecordPage::name_parts() {
   again_->setText(tr("Record a&gain"));
   onward_->setText(tr("&Go to Calibrate"));
   again_->setToolTip(tr("Moves this video to the trash and records a new one."));
-  video_->setText(tr("Install an existing &video…"));
+  video_->setText(tr("Install an e&xisting video…"));
   stop_install_->setText(tr("&Stop"));
   stop_install_->setAccessibleDescription(tr("Stops the installation; nothing is changed."));
   bar_->setAccessibleName(tr("Progress of the installation"));
@@ -337,6 +345,8 @@ void RecordPage::show_status() {
   }
   was_recording_ = was_recording_ || is_recording;
   if (isVisible()) measure_space();
+  const auto& finger = status.finger.finger;
+  coverage_group_->setVisible(!finger || finger->face.kind == FaceKind::kFinRay);  // flat: rigid
   show_button(status);
   show_progress(status.recording);
   show_recorded(status);
@@ -351,7 +361,6 @@ void RecordPage::changeEvent(QEvent* event) {
 
 void RecordPage::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
-  record_->setFocus();  // so that keys are not typed into a field
   show_status();
 }
 
@@ -622,18 +631,8 @@ void RecordPage::show_offer(const LiveStatus& status) {
 }
 
 void RecordPage::show_recorded(const LiveStatus& status) {
-  const bool is_deferred = !deferred_.empty();
-  result_group_->setVisible(!recorded_.empty() || is_deferred);
-  if (recorded_.empty() && !is_deferred) return;
-  if (is_deferred) {
-    summary_->setText(tr("Saved: %1").arg(QString::fromStdString(deferred_.filename().string())));
-    summary_->setToolTip(QString::fromStdString(deferred_.string()));
-    for (QWidget* widget :
-         std::initializer_list<QWidget*>{install_, keep_, again_, onward_, install_reason_, judged_,
-                                         skin_changed_, bar_, stop_install_, outcome_, rejected_})
-      widget->hide();
-    return;
-  }
+  work_->setCurrentIndex(recorded_.empty() ? 0 : 1);
+  if (recorded_.empty()) return;
   summary_->setText(take_words(status.recording));
   summary_->setToolTip(QString::fromStdString(recorded_.string()));
   show_offer(status);
@@ -650,7 +649,7 @@ void RecordPage::show_rig() {
   const bool has_folder = finger && status.finger.state == FingerState::kReady;
   rig_box_->setVisible(has_folder && session_.view() && !is_recording &&
                        finger->face.kind == FaceKind::kFinRay);
-  rig_box_->set_needed(has_folder && !status.finger.has_reference && recorded_.empty());
+  rig_box_->set_needed(has_folder && !status.finger.has_reference);
   if (!has_folder || !isVisible()) return;
   if (since_rig_.isValid() && since_rig_.elapsed() < kRigInterval_ms) return;
   since_rig_.start();
@@ -691,8 +690,12 @@ void RecordPage::show_button(const LiveStatus& status) {
   record_->setIcon(
       icon(is_recording ? QStringLiteral("stop") : QStringLiteral("record"), palette()));
   record_->setEnabled(why.isEmpty());
-  reason_->setText(why);
-  reason_->setVisible(!why.isEmpty());
+  progress_->setText(
+      !why.isEmpty() ? why
+      : deferred_.empty()
+          ? QString()
+          : tr("Saved: %1").arg(QString::fromStdString(deferred_.filename().string())));
+  progress_->setToolTip(QString::fromStdString(deferred_.string()));
   for (QWidget* widget : std::initializer_list<QWidget*>{file_, browse_})
     widget->setEnabled(!is_recording);
 }
@@ -700,7 +703,6 @@ void RecordPage::show_button(const LiveStatus& status) {
 void RecordPage::show_progress(const RecordingStatus& recording) {
   const QLocale locale;
   const bool is_recording = recording.state == RecordingState::kRunning;
-  progress_->setVisible(is_recording);
   const std::uint64_t lost = recording.counts.dropped + recording.counts.missing;
   if (is_recording)
     progress_->setText(
@@ -721,7 +723,6 @@ void RecordPage::show_progress(const RecordingStatus& recording) {
                 static_cast<int>(std::min(*free_gb / gb_per_s / 60, 99999.0)));
   }
   space_->setText(joined(parts));
-  space_->setVisible(!parts.isEmpty());
 }
 
 QString RecordPage::install_obstacle(const LiveStatus& status) const {
@@ -741,6 +742,11 @@ void RecordPage::mark_primary() {
   set_primary(*again_, is_offered && is_refused && again_->isEnabled());
   set_primary(*onward_, is_installed && onward_->isEnabled());
   set_primary(*record_, !is_offered && !is_installed && !is_installing());
+  follow_focus();
+}
+
+std::string RecordPage::leads_to() const {
+  return onward_->isVisible() ? "calibrate" : std::string();
 }
 
 QString RecordPage::outcome_text() const {

@@ -15,6 +15,7 @@
 #include <QListWidget>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QStackedWidget>
 
 namespace alltact {
 
@@ -30,6 +31,7 @@ class RecordPage : public Page {
     if (record_->isEnabled()) start_or_stop();
   }
   void add_problems(std::vector<Problem>& problems) override;
+  [[nodiscard]] std::string leads_to() const override;
 
   void set_file(const QString& file) { file_->setText(file); }
   [[nodiscard]] bool is_busy() const;
@@ -98,7 +100,8 @@ class RecordPage : public Page {
   QLabel* file_label_;
   QLineEdit* file_;
   QPushButton *browse_, *record_;
-  QLabel *reason_, *progress_, *space_;
+  QLabel *progress_, *space_;
+  QStackedWidget* work_;  // how it bends; after a recording, what to do with it
   QLabel* summary_;
   QPushButton *install_, *keep_, *again_, *onward_, *video_, *stop_install_;
   QProgressBar* bar_;

@@ -93,12 +93,12 @@ void ForceBox::draw() {
   ++drawings_;
   const ShownForce shown = ask_();
   const bool has_forces = shown.history != nullptr && shown.history->has_forces();
-  const bool is_any = has_forces || shown.now;
+  const bool is_any = has_forces || shown.now || shown.has_model;
   reading_->setToolTip(shown.now && !shown.now->in_range
                            ? tr("The force model was not trained on images like this one.")
                            : QString());
-  reading_->setText(is_any ? reading_text(shown) : shown.why_none);
-  plot_->setVisible(has_forces && shown.history->forces().size() > 1);  // a line needs two
+  reading_->setText(has_forces || shown.now ? reading_text(shown) : shown.why_none);
+  plot_->setVisible(is_any);
   const auto zero = shown.zero ? std::optional(shown.zero->zero) : std::nullopt;
   plot_->set_data(has_forces ? *shown.history : TouchHistory(), zero);
   zero_->setText(is_any ? zero_text(shown) : QString());

@@ -60,8 +60,9 @@ struct ShownForce {
   std::optional<Force> now;               ///< as measured
   const TouchHistory* history = nullptr;  ///< null: none
   std::optional<SessionZero> zero;
-  bool is_live = true;  ///< false: recorded data, for which no zero counts
-  QString why_none;     ///< shown instead of the plot where there is no force at all
+  bool is_live = true;     ///< false: recorded data, for which no zero counts
+  QString why_none;        ///< shown instead of the reading where there is no force at all
+  bool has_model = false;  ///< forces may come: their room is reserved
 };
 
 class ForceBox : public Translated<QGroupBox> {

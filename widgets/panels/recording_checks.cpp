@@ -20,6 +20,7 @@
 namespace alltact {
 namespace {
 
+constexpr int kFindingLines = 2;
 constexpr int kRigSymbol = 16;
 
 QString item_name(RigItem item) {
@@ -109,7 +110,7 @@ void RigCheckBox::show_lines(bool anew) {
     for (std::size_t i = 0; i < lines_.size(); ++i) {
       auto* line_widget = new QWidget;
       auto* row = without_margins(new QHBoxLayout(line_widget));
-      Row made{new QLabel, wrapped_label()};
+      Row made{new QLabel, new ReservedText(kFindingLines)};
       made.symbol->setFixedWidth(kRigSymbol);
       row->addWidget(made.symbol, 0, Qt::AlignTop);
       row->addWidget(made.text, 1);

@@ -321,8 +321,10 @@ bool HistoryPlot::draw() {
   line->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, series_colour(0, palette()), 7));
   QSharedPointer<QCPAxisTickerDateTime> dates(new QCPAxisTickerDateTime);
   dates->setDateTimeSpec(Qt::UTC);
-  dates->setDateTimeFormat(last - first > 86400.0 ? "yyyy-MM-dd" : "yyyy-MM-dd\nHH:mm");
-  dates->setTickCount(4);
+  // In two lines: one would run into the next in a narrow column.
+  constexpr double kDay_s = 86400;
+  dates->setDateTimeFormat(last - first > 4 * kDay_s ? "yyyy\nMM-dd" : "MM-dd\nHH:mm");
+  dates->setTickCount(2);  // at least: up to twice as many in a narrow column
   chart().xAxis->setTicker(dates);
   chart().xAxis->setLabel(tr("Time (UTC)"));
   chart().yAxis->setLabel(tr("Depth error (mm)"));

@@ -70,7 +70,7 @@ ExportDialog::ExportDialog(const fs::path& finger, QWidget* parent)
   connect(folder_, &QLineEdit::textChanged, this, &ExportDialog::show_command);
   connect(choose_, &QPushButton::clicked, this, [this] {
     ask_for_folder(
-        this, tr("Folder for the files"),
+        this, FilesOf::kExports, tr("Folder for the files"),
         [this](const QString& folder) { folder_->setText(folder); }, folder_->text());
   });
   connect(write_, &QPushButton::clicked, this, &ExportDialog::write);

@@ -139,7 +139,8 @@ QString dates_of(const FingerCard& card) {
 QString due_text(const FingerCard& card) {
   switch (card.due) {
     case FingerDue::kRecording:
-      return FingerCards::tr("Due: record it bending");
+      return card.is_recorded ? FingerCards::tr("Due: record it bending")
+                              : FingerCards::tr("Due: its untouched image");
     case FingerDue::kCalibration:
       return FingerCards::tr("Due: calibrate it");
     case FingerDue::kRepair:
@@ -429,10 +430,11 @@ FingerListDialog::FingerListDialog(std::vector<fs::path> known, QWidget* parent)
   connect(list_, &QTreeWidget::currentItemChanged, this, &FingerListDialog::follow_choice);
   connect(open_, &QPushButton::clicked, this, &FingerListDialog::open_chosen);
   connect(folder_, &QPushButton::clicked, this, [this] {
-    ask_for_folder(this, tr("Folder with fingers"), [this](const QString& folder) {
-      folders_.insert(folder.toStdString());
-      read();
-    });
+    ask_for_folder(this, FilesOf::kFingers, tr("Folder with fingers"),
+                   [this](const QString& folder) {
+                     folders_.insert(folder.toStdString());
+                     read();
+                   });
   });
   connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
   resize(920, 460);

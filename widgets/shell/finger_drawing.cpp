@@ -2,7 +2,10 @@
 
 #include "widgets/theme.h"
 
+#include <QFontMetricsF>
 #include <QPainterPath>
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace alltact {
@@ -82,6 +85,21 @@ void draw_number(QPainter& painter, const Inks& inks, int number, const QPointF&
   painter.setFont(font);
   painter.drawText(QRectF(at.x() - kDisc, at.y() - kDisc, 2 * kDisc, 2 * kDisc), Qt::AlignCenter,
                    QString::number(number));
+}
+
+void draw_name(QPainter& painter, const Inks& inks, const QString& name, const QPointF& at) {
+  QFont font = painter.font();
+  font.setPixelSize(13);
+  painter.setFont(font);
+  QRectF box = QFontMetricsF(font).boundingRect(name).adjusted(-4, -2, 4, 2);
+  box.moveCenter(at);
+  // Inside the drawing, on a ground of its own.
+  box.moveLeft(std::clamp(box.left(), 2.0, kDrawingRoom.width() - box.width() - 2));
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(inks.ground);
+  painter.drawRoundedRect(box, 3, 3);
+  painter.setPen(inks.line);
+  painter.drawText(box, Qt::AlignCenter, name);
 }
 
 void draw_light(QPainter& painter, const Inks& inks) {
@@ -164,7 +182,7 @@ void draw_finger(QPainter& painter, const Inks& inks, bool has_numbers) {
 }
 
 /// The layer magnified: 640 x 320, the camera below.
-void draw_press(QPainter& painter, const Inks& inks, bool has_numbers) {
+void draw_press(QPainter& painter, const Inks& inks, bool has_numbers, const QStringList& names) {
   constexpr double kOuter = 128, kInner = 236, kRadius = 150, kDepth = 62, kMiddle = 320;
   const double reach = std::sqrt(kRadius * kRadius - std::pow(kRadius - kDepth, 2));
   const auto face = [&](double x) {
@@ -197,14 +215,22 @@ void draw_press(QPainter& painter, const Inks& inks, bool has_numbers) {
   };
   measure(kMiddle, kOuter, kOuter + kDepth);
   measure(96, kOuter, kInner);
-  if (!has_numbers) return;
-  draw_number(painter, inks, 1, {560, 284}, {530, kInner});
-  draw_number(painter, inks, 2, {580, 84}, {560, kOuter});
-  draw_number(painter, inks, 3, {408, 214}, {378, face(378)});
-  draw_number(painter, inks, 4, {kMiddle + 34, kOuter + 24}, {kMiddle, kOuter + 24});
-  draw_number(painter, inks, 5, {62, 182}, {96, 182});
-  draw_number(painter, inks, 6, {kMiddle - 60, 44}, {kMiddle - 40, 60});
-  draw_number(painter, inks, 7, {500, 74}, {kMiddle + reach + 12, face(kMiddle + reach + 12)});
+  const std::array<std::pair<QPointF, QPointF>, 7> parts{
+      {{{560, 284}, {530, kInner}},
+       {{580, 84}, {560, kOuter}},
+       {{408, 214}, {378, face(378)}},
+       {{kMiddle + 34, kOuter + 24}, {kMiddle, kOuter + 24}},
+       {{62, 182}, {96, 182}},
+       {{kMiddle - 60, 44}, {kMiddle - 40, 60}},
+       {{500, 74}, {kMiddle + reach + 12, face(kMiddle + reach + 12)}}}};
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const auto& [at, to] = parts[i];
+    const int number = static_cast<int>(i);
+    if (has_numbers)
+      draw_number(painter, inks, number + 1, at, to);
+    else if (!names.value(number).isEmpty())
+      draw_name(painter, inks, names[number], at);
+  }
 }
 
 }  // namespace
@@ -219,6 +245,11 @@ void FingerDrawing::show_numbers(bool are_shown) {
   update();
 }
 
+void FingerDrawing::show_names(const QStringList& names) {
+  names_ = names;
+  update();
+}
+
 void FingerDrawing::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
@@ -230,7 +261,7 @@ void FingerDrawing::paintEvent(QPaintEvent*) {
   if (what_ == DrawnThing::kFinger)
     draw_finger(painter, inks, has_numbers_);
   else
-    draw_press(painter, inks, has_numbers_);
+    draw_press(painter, inks, has_numbers_, names_);
 }
 
 }  // namespace alltact

@@ -1,8 +1,9 @@
 // Drawings of the finger from its side, and of the layer under a ball, in the window's colours.
-// They hold no words and so need no language; the glossary explains their numbers.
+// The glossary explains their numbers.
 #pragma once
 
 #include <QPainter>
+#include <QStringList>
 #include <QWidget>
 
 namespace alltact {
@@ -14,6 +15,8 @@ class FingerDrawing : public QWidget {
  public:
   explicit FingerDrawing(DrawnThing what, QWidget* parent = nullptr);
   void show_numbers(bool are_shown);
+  /// Of the parts in the order of their numbers, shown instead of those; an empty one is not shown.
+  void show_names(const QStringList& names);
   [[nodiscard]] QSize sizeHint() const override { return {640, 320}; }
   [[nodiscard]] QSize minimumSizeHint() const override { return {120, 60}; }
 
@@ -23,6 +26,7 @@ class FingerDrawing : public QWidget {
  private:
   DrawnThing what_;
   bool has_numbers_ = false;
+  QStringList names_;
 };
 
 }  // namespace alltact

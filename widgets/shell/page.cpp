@@ -1,6 +1,9 @@
 #include "widgets/shell/page.h"
 
+#include "widgets/theme.h"
+
 #include <QEvent>
+#include <QPushButton>
 #include <QScrollBar>
 #include <algorithm>
 
@@ -36,6 +39,17 @@ class SideColumn : public QScrollArea {
 };
 
 }  // namespace
+
+void Page::focus_next() {
+  for (auto* button : findChildren<QPushButton*>())
+    if (is_primary(*button) && button->isVisible() && button->isEnabled())
+      return button->setFocus();
+  setFocus();
+}
+
+void Page::follow_focus() {
+  if (hasFocus()) focus_next();
+}
 
 SidePanel::SidePanel(int min_width_px) : root(new QWidget) {
   auto* scrolled = new SideColumn(min_width_px);

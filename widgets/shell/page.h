@@ -32,22 +32,32 @@ class Page : public Translated<QWidget> {
 
   /// The foot pedal was pressed while this page is visible.
   virtual void press_pedal() {}
-  /// Adds problems of the open finger that the user should solve next. Called whichever page is
-  /// visible.
+  /// Adds problems of the open finger that the user should solve next, and those of this page while
+  /// it is visible. Called whichever page is visible.
   virtual void add_problems(std::vector<Problem>& /*problems*/) {}
   /// The user was sent here to do the next step: opens it.
   virtual void begin_next_step() {}
   /// The open finger's folder has changed.
   virtual void reload() {}
+  /// The page, by its name, that a button of this page leads to now; empty for none.
+  [[nodiscard]] virtual std::string leads_to() const { return {}; }
+  /// Gives the focus to what comes next: the primary action, or to the page while none is possible.
+  void focus_next();
 
  Q_SIGNALS:
   /// State that a session stores has changed.
   void changed();
+  /// add_problems() may give others.
+  void problems_changed();
   void page_requested(const std::string& name);
   /// Opens another page to do the next step there.
   void lead_requested(const std::string& name);
   void open_finger_requested();
   void new_finger_requested(const alltact::NewFinger& known);
+
+ protected:
+  /// Hands the focus on if it waits at the page. Call it when an action has become possible.
+  void follow_focus();
 
  private:
   std::string name_;

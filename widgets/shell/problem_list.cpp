@@ -13,7 +13,7 @@
 namespace alltact {
 namespace {
 
-constexpr int kProblemSymbol = 18;
+constexpr int kProblemSymbol = 18, kNoticeHeight_px = 32;
 constexpr int kBetweenAges_ms = 20000;
 
 qint64 now_ms() { return monotonic_ns() / 1000000; }
@@ -46,11 +46,14 @@ bool Problem::has_same_text(const Problem& other) const {
          action == other.action;
 }
 
-ProblemList::ProblemList(QWidget* parent) : Translated(parent), rows_(new QVBoxLayout(this)) {
+ProblemList::ProblemList(QWidget* parent)
+    : Translated(parent), sheet_(new QWidget), rows_(new QVBoxLayout(sheet_)) {
+  without_margins(new QVBoxLayout(this))->addWidget(sheet_, 0, Qt::AlignTop);
+  setMinimumHeight(kNoticeHeight_px);
+  sheet_->setAutoFillBackground(true);
   rows_->setContentsMargins(0, 0, 0, 0);
   rows_->setSpacing(4);
   set_accessible_role(*this, QAccessible::List);
-  hide();
   connect(&clock_, &QTimer::timeout, this, &ProblemList::show_ages);
   clock_.setInterval(kBetweenAges_ms);
   say([this] {
@@ -121,11 +124,13 @@ void ProblemList::rebuild() {
   line_ = nullptr;
   fold_ = nullptr;
   const auto all = shown();
-  if (all.size() < 2) is_unfolded_ = is_unfolded_ && !all.empty();
+  is_unfolded_ = is_in_full_ || (is_unfolded_ && !all.empty());
   for (std::size_t i = 0; i < all.size() && (i == 0 || is_unfolded_); ++i)
     rows_->addWidget(make_row(*all[i], i == 0));
-  setVisible(!all.empty());
+  sheet_->setVisible(!all.empty());
+  arrange_sheet();
   all.empty() ? clock_.stop() : clock_.start();
+  Q_EMIT filled(!all.empty());
   if (all.empty()) return;
   show_ages();
   show_fold();
@@ -183,7 +188,7 @@ void ProblemList::add_buttons(const ListedProblem& listed, bool is_first, QHBoxL
     connect(button, &QPushButton::clicked, this, listed.problem.on_action);
     layout.addWidget(button, 0, Qt::AlignVCenter);
   }
-  if (is_first) {
+  if (is_first && !is_in_full_) {
     fold_ = new QToolButton;
     fold_->setAutoRaise(true);
     fold_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
@@ -191,6 +196,7 @@ void ProblemList::add_buttons(const ListedProblem& listed, bool is_first, QHBoxL
     connect(fold_, &QToolButton::clicked, this, [this] {
       is_unfolded_ = !is_unfolded_;
       rebuild();
+      if (fold_->isVisible()) fold_->setFocus();
     });
     layout.addWidget(fold_, 0, Qt::AlignVCenter);
   }
@@ -224,9 +230,44 @@ void ProblemList::show_fold() {
   fold_->setVisible(is_unfolded_ || others > 0 || (line_ != nullptr && line_->is_elided()));
 }
 
-void ProblemList::resizeEvent(QResizeEvent* event) {
-  Translated::resizeEvent(event);
-  show_fold();
+void ProblemList::show_in_full() {
+  is_in_full_ = true;
+  rebuild();
+}
+
+void ProblemList::arrange_sheet() {
+  const bool is_over = is_unfolded_ && !is_in_full_ && window() != this;
+  if (!is_over) {
+    if (sheet_->parentWidget() == this) return;
+    static_cast<QVBoxLayout*>(layout())->addWidget(sheet_, 0, Qt::AlignTop);
+    sheet_->setVisible(rows_->count() > 0);
+    return;
+  }
+  if (sheet_->parentWidget() != window()) {
+    layout()->removeWidget(sheet_);
+    sheet_->setParent(window());
+  }
+  sheet_->setGeometry({mapTo(window(), QPoint()),
+                       QSize(width(), std::max(height(), rows_->totalHeightForWidth(width())))});
+  sheet_->setVisible(isVisible() && rows_->count() > 0);
+  sheet_->raise();
+}
+
+bool ProblemList::event(QEvent* event) {
+  const bool is_handled = Translated::event(event);
+  switch (event->type()) {
+    case QEvent::Resize:
+      show_fold();
+      [[fallthrough]];
+    case QEvent::Move:
+    case QEvent::Show:
+    case QEvent::Hide:
+      arrange_sheet();
+      break;
+    default:
+      break;
+  }
+  return is_handled;
 }
 
 void ProblemList::changeEvent(QEvent* event) {

@@ -1,4 +1,4 @@
-// Current problems as text, with advice; hidden without problems.
+// Current problems as text, with advice.
 #pragma once
 
 #include "core/base/result.h"
@@ -33,8 +33,10 @@ struct Problem {
 };
 
 /// Folded it shows the newest problem with its age in one line; unfolded it shows all, in full
-/// sentences. A dismissed problem stays away until it has ended and begins again. Each takes the
-/// keyboard's focus so that it can be read out, and new ones are announced.
+/// sentences, over what is below it. It takes the room of one line also without problems, so that
+/// nothing moves when one comes or goes. A dismissed problem stays away until it has ended and
+/// begins again. Each takes the keyboard's focus so that it can be read out, and new ones are
+/// announced.
 class ProblemList : public Translated<QFrame> {
   Q_OBJECT
  public:
@@ -43,10 +45,15 @@ class ProblemList : public Translated<QFrame> {
   /// Newest first, without the dismissed ones.
   [[nodiscard]] std::vector<Problem> problems() const;
   [[nodiscard]] bool is_unfolded() const { return is_unfolded_; }
+  /// Without the fold: always all problems in full, in the list's own room. For dialogs.
+  void show_in_full();
+
+ Q_SIGNALS:
+  void filled(bool is_any);
 
  protected:
+  bool event(QEvent* event) override;
   void changeEvent(QEvent* event) override;
-  void resizeEvent(QResizeEvent* event) override;
 
  private:
   struct ListedProblem {
@@ -58,6 +65,8 @@ class ProblemList : public Translated<QFrame> {
   void retranslate();
   void show_ages();
   void show_fold();
+  /// In the list's room, or over the window's content.
+  void arrange_sheet();
   void dismiss(const QString& what);
   [[nodiscard]] std::vector<const ListedProblem*> shown() const;
   [[nodiscard]] QWidget* make_row(const ListedProblem& listed, bool is_first);
@@ -65,9 +74,10 @@ class ProblemList : public Translated<QFrame> {
   [[nodiscard]] QString age_text(qint64 since_ms) const;
 
   std::vector<ListedProblem> listed_;  // newest first
+  QWidget* sheet_;                     // holds the rows
   QVBoxLayout* rows_;
   QTimer clock_;
-  bool is_unfolded_ = false;
+  bool is_unfolded_ = false, is_in_full_ = false;
   std::vector<std::pair<QLabel*, qint64>> ages_;  // of the shown rows
   ElidedLabel* line_ = nullptr;                   // of the first row, folded
   QToolButton* fold_ = nullptr;

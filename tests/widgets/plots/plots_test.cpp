@@ -317,6 +317,35 @@ TEST(HistoryPlot, BandsAreSeenAndOneCheckIsEnough) {
   EXPECT_GE(grounds.size(), 3U);
 }
 
+TEST(HistoryPlot, DatesNeverRunIntoEachOther) {
+  constexpr double kHour_s = 3600, kDay_s = 24 * kHour_s, kStart_s = 1795000000;  // in 2026
+  for (const double span_s :
+       {kHour_s, kDay_s, 3 * kDay_s, 10 * kDay_s, 100 * kDay_s, 1100 * kDay_s})
+    for (const int width_px : {260, 330, 600}) {
+      HistoryPlot plot;
+      HistoryData data = some_history();
+      data.points.resize(2);
+      data.points[0].time_s = kStart_s;
+      data.points[1].time_s = kStart_s + span_s;
+      plot.set_data(data);
+      shown(plot, {width_px, 240}, "history_dates");
+      const QCPAxis* axis = plot.findChild<QCustomPlot*>()->xAxis;
+      QVector<double> ticks;
+      QVector<QString> labels;
+      axis->ticker()->generate(axis->range(), QLocale::c(), 'g', 6, ticks, nullptr, &labels);
+      const QFontMetrics metrics(axis->tickLabelFont());
+      double end_px = -1e9;
+      for (int i = 0; i < ticks.size(); ++i) {
+        if (!axis->range().contains(ticks[i])) continue;
+        const double half_px = 0.5 * metrics.size(0, labels[i]).width();
+        const double at_px = axis->coordToPixel(ticks[i]);
+        EXPECT_GE(at_px - half_px, end_px + 3) << labels[i].toStdString() << ", " << span_s / kDay_s
+                                               << " days in " << width_px << " px";
+        end_px = at_px + half_px;
+      }
+    }
+}
+
 TEST(Plots, ArePrintedAsPdf) {
   const test::TemporaryFolder folder;
   MappingPlot plot;

@@ -18,8 +18,9 @@ Problem note(const char* what, const char* advice = "") {
 class Notices : public testing::Test {
  protected:
   Notices() {
-    list_.resize(600, 40);
-    list_.show();
+    window_.resize(600, 300);
+    list_.setGeometry(0, 0, 600, 40);
+    window_.show();
   }
   void give(std::vector<Problem> problems) {
     list_.set_problems(std::move(problems));
@@ -38,16 +39,17 @@ class Notices : public testing::Test {
   }
   [[nodiscard]] int rows() const {
     int rows = 0;
-    for (const auto* row : list_.findChildren<QFrame*>(QStringLiteral("problem")))
+    for (const auto* row : window_.findChildren<QFrame*>(QStringLiteral("problem")))
       rows += row->isVisible() ? 1 : 0;
     return rows;
   }
   QToolButton* button(const QString& name) {
-    for (auto* one : list_.findChildren<QToolButton*>())
+    for (auto* one : window_.findChildren<QToolButton*>())
       if (one->isVisible() && one->accessibleName() == name) return one;
     return nullptr;
   }
-  ProblemList list_;
+  QWidget window_;
+  ProblemList& list_{*new ProblemList(&window_)};
 };
 
 TEST_F(Notices, TakeOneLineHoweverMany) {
@@ -100,11 +102,23 @@ TEST_F(Notices, DismissedTheyStayAwayUntilTheyHappenAgain) {
   give({note("a"), note("b")});
   EXPECT_THAT(told(), ElementsAre("b")) << "it goes on, and somebody knows";
   press("Dismiss: b");
-  EXPECT_FALSE(list_.isVisible());
+  EXPECT_EQ(rows(), 0);
   give({});
   give({note("a")});
   EXPECT_THAT(told(), ElementsAre("a"));
-  EXPECT_TRUE(list_.isVisible());
+  EXPECT_EQ(rows(), 1);
+}
+
+/// What is below the list stays where it is, whatever the list shows.
+TEST_F(Notices, TakeTheSameRoomWithNoneWithOneAndUnfolded) {
+  const int room = list_.minimumHeight();
+  EXPECT_GT(room, 20);
+  give({note("The first.", "Do this."), note("The second.")});
+  EXPECT_LE(list_.sizeHint().height(), room);
+  press("Show all in full");
+  EXPECT_EQ(rows(), 2);
+  EXPECT_LE(list_.sizeHint().height(), room);
+  EXPECT_EQ(list_.height(), 40) << "what is shown lies over the window";
 }
 
 TEST_F(Notices, SayHowOldTheyAre) {
