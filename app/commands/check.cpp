@@ -4,6 +4,8 @@
 #include "calibration/checks/check_history.h"
 #include "calibration/checks/contact_free_check.h"
 #include "calibration/checks/finger_check.h"
+#include "calibration/checks/gage_readings.h"
+#include "calibration/checks/gage_study.h"
 #include "calibration/checks/press_check.h"
 #include "calibration/finger/calibrate_finger.h"
 #include "calibration/finger/calibration_report.h"
@@ -27,7 +29,9 @@ Console::Json entry_json(const CheckEntry& entry) {
           {"presses", entry.presses},
           {"ball_radius_mm", entry.ball_radius_mm},
           {"calibration_date", entry.calibration_date},
-          {"program_version", entry.program_version}};
+          {"program_version", entry.program_version},
+          {"bias_mm", entry.bias_mm ? Console::Json(*entry.bias_mm) : Console::Json()},
+          {"operator", entry.operator_name}};
 }
 
 /// The last checks with presses, oldest first.
@@ -73,6 +77,7 @@ void print_check(const PressCheck& check, Console& console) {
   answer["drifting_above_mm"] = check.drifting_above_mm;
   answer["recalibrate_above_mm"] = check.recalibrate_above_mm;
   answer["factor"] = check.factor;
+  answer["bias_mm"] = check.bias_mm;
   answer["light_percent"] = 100 * check.light_change;
   answer["ball_radius_mm"] = check.ball_radius_mm;
   answer["positions"] = check.positions;
@@ -90,7 +95,8 @@ Status run_check_presses(const Path& folder, const PressInput& presses, const Pr
   if (!check) return check.error();
   print_check(*check, console);
   console.answer()["finger"] = finger.name;
-  const Status saved = append_check(folder, entry_of(*check, finger, utc_now(), program_version()));
+  const Status saved = append_check(
+      folder, entry_of(*check, finger, utc_now(), program_version(), press_set.operator_name));
   if (!saved) return saved.error();
   if (check->verdict == CheckVerdict::kRecalibrate)
     return Error{en::say("the finger must be calibrated again; the reason is above"), folder,
@@ -154,6 +160,97 @@ Status run_check(const Path& folder, Console& console) {
   return {};
 }
 
+Console::Json anova_json(std::string_view source, const AnovaRow& row) {
+  const auto number = [](const std::optional<double>& value) {
+    return value ? Console::Json(*value) : Console::Json();
+  };
+  return {{"source", source}, {"ss", row.ss},       {"df", row.df},
+          {"ms", row.ms},     {"f", number(row.f)}, {"p", number(row.p)}};
+}
+
+void print_anova(const GageStudy& study, Console& console) {
+  const std::array<std::pair<std::string_view, const AnovaRow*>, 5> rows{
+      {{"parts", &study.by_part},
+       {"operators", &study.by_operator},
+       {"parts x operators", &study.interaction},
+       {"repeats", &study.repetition},
+       {"total", &study.total}}};
+  console.say(fmt::format("{:<24} {:>6} {:>12} {:>12} {:>10} {:>8}", "analysis of variance", "df",
+                          "SS", "MS", "F", "p"));
+  Console::Json all = Console::Json::array();
+  for (const auto& [source, row] : rows) {
+    all.push_back(anova_json(source, *row));
+    if (row->df == 0) continue;
+    console.say(fmt::format("  {:<22} {:>6} {:>12.5g} {:>12.5g} {:>10} {:>8}", source, row->df,
+                            row->ss, row->ms, row->f ? fmt::format("{:.3f}", *row->f) : "",
+                            row->p ? fmt::format("{:.4f}", *row->p) : ""));
+  }
+  console.answer()["anova"] = std::move(all);
+  console.answer()["interaction_is_pooled"] = study.is_pooled;
+}
+
+void print_variation(const GageStudy& study, double tolerance_mm, Console& console) {
+  const auto interval = [](const SdInterval& of) {
+    return fmt::format("{:.4f} .. {:.4f}", of.low, of.high);
+  };
+  const std::array<std::tuple<std::string_view, double, std::string>, 7> rows{
+      {{"gage R&R", study.gage, interval(study.gage_95)},
+       {"  repeatability", study.repeatability, interval(study.repeatability_95)},
+       {"  reproducibility", study.reproducibility, ""},
+       {"    operators", study.operators_sd, ""},
+       {"    parts x operators", study.interaction_sd, ""},
+       {"parts", study.parts_sd, ""},
+       {"total", study.total_sd, ""}}};
+  console.say(fmt::format("{:<24} {:>9} {:>20} {:>13} {:>13}", "variation", "sd mm", "95 %",
+                          "% of total", tolerance_mm > 0 ? "% of tolerance" : ""));
+  for (const auto& [what, sd, range] : rows)
+    console.say(fmt::format(
+        "{:<24} {:>9.4f} {:>20} {:>13.1f} {:>13}", what, sd, range, study.percent(sd),
+        tolerance_mm > 0 ? fmt::format("{:.1f}", GageStudy::percent_of(tolerance_mm, sd)) : ""));
+}
+
+Result<GageReadings> read_gage(const std::vector<Path>& inputs, const Job& job) {
+  std::error_code failed;
+  const bool is_table =
+      inputs.size() == 1 && !std::filesystem::is_directory(inputs.front(), failed);
+  return is_table ? read_gage_table(inputs.front()) : read_gage_checks(inputs, job);
+}
+
+/// Prints how much of the variation of measurements comes from the measuring itself.
+Status run_check_gage(const std::vector<Path>& inputs, double tolerance_mm, Console& console) {
+  const auto read = read_gage(inputs, console.job());
+  if (!read) return read.error();
+  for (const Message& remark : read->remarks) console.warn(remark.english());
+  const auto study = gage_study(read->readings);
+  if (!study) return study.error();
+  console.say(fmt::format("{} parts, {} operators, {} repeats; mean {:.4f} mm", study->parts.size(),
+                          study->operators.size(), study->repeats, read->origin_mm + study->mean));
+  print_variation(*study, tolerance_mm, console);
+  print_anova(*study, console);
+  console.say(fmt::format("Distinct categories: {}.", study->categories));
+  console.say(gage_sentence(*study, tolerance_mm).english());
+  Console::Json& answer = console.answer();
+  answer["parts"] = study->parts;
+  answer["operators"] = study->operators;
+  answer["repeats"] = study->repeats;
+  answer["mean_mm"] = read->origin_mm + study->mean;
+  answer["gage_sd_mm"] = study->gage;
+  answer["gage_sd_95_mm"] = {study->gage_95.low, study->gage_95.high};
+  answer["repeatability_sd_mm"] = study->repeatability;
+  answer["repeatability_sd_95_mm"] = {study->repeatability_95.low, study->repeatability_95.high};
+  answer["reproducibility_sd_mm"] = study->reproducibility;
+  answer["operators_sd_mm"] = study->operators_sd;
+  answer["interaction_sd_mm"] = study->interaction_sd;
+  answer["parts_sd_mm"] = study->parts_sd;
+  answer["total_sd_mm"] = study->total_sd;
+  answer["gage_percent_of_total"] = study->percent(study->gage);
+  if (tolerance_mm > 0)
+    answer["gage_percent_of_tolerance"] = GageStudy::percent_of(tolerance_mm, study->gage);
+  answer["distinct_categories"] = study->categories;
+  answer["remarks"] = in_english(read->remarks);
+  return {};
+}
+
 /// Prints the accuracy of hard calculations on this computer (hard_cases.h). Error: one is out of
 /// bounds.
 Status run_check_numerics(Console& console) {
@@ -201,6 +298,8 @@ void add_check(CLI::App& program, Chosen& chosen) {
   auto presses = std::make_shared<PressInput>();
   auto press_set = std::make_shared<PressSet>();
   auto untouched = std::make_shared<std::vector<Path>>();
+  auto gage = std::make_shared<std::vector<Path>>();
+  auto tolerance_mm = std::make_shared<double>(0);
   CLI::App* command = add_command(program, "check");
   CLI::Option* finger = command->add_option("FINGER", *folder, "The finger's folder");
   CLI::Option* images =
@@ -216,6 +315,11 @@ void add_check(CLI::App& program, Chosen& chosen) {
       ->type_name("R")
       ->transform(typed_number(kBallRadius))
       ->needs(images);
+  command
+      ->add_option("--operator", press_set->operator_name,
+                   "Who pressed, stored with the check: for --gage")
+      ->type_name("NAME")
+      ->needs(images);
   PressFlags bodies;
   bodies.add_to(*command, "step");
   bodies.add_to(*command, "body");
@@ -226,14 +330,28 @@ void add_check(CLI::App& program, Chosen& chosen) {
       ->type_name("PICTURE...")
       ->needs(finger)
       ->excludes(images);
+  CLI::Option* study =
+      command
+          ->add_option("--gage", *gage,
+                       "Gage R&R by analysis of variance (AIAG): the checks of several fingers by "
+                       "their operators, or a table with the columns part, operator, value_mm")
+          ->type_name("FINGER...|TABLE")
+          ->excludes(finger)
+          ->excludes(images);
+  command->add_option("--tolerance-mm", *tolerance_mm, "Width of the tolerance, mm, for --gage")
+      ->type_name("T")
+      ->transform(typed_number(1e-6, 1e6))
+      ->needs(study);
   command
       ->add_flag("--numerics", *numerics,
                  "Checks the numerical accuracy of this computer instead of a finger: errors of "
                  "naive formulas and of ours in hard cases, and the bound")
-      ->excludes(finger);
+      ->excludes(finger)
+      ->excludes(study);
   command->callback([=, &chosen] {
-    if (!*numerics && finger->count() == 0) throw CLI::RequiredError("FINGER");
+    if (!*numerics && finger->count() == 0 && gage->empty()) throw CLI::RequiredError("FINGER");
     chosen = [=](Console& console) {
+      if (!gage->empty()) return run_check_gage(*gage, *tolerance_mm, console);
       if (!untouched->empty()) return run_check_reference(*folder, *untouched, console);
       if (!presses->files.empty()) {
         bodies.say(*press_set);

@@ -1,7 +1,9 @@
 #include "calibration/checks/check_history.h"
 
 #include "core/base/atomic_file.h"
+#include "core/base/table.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -14,20 +16,38 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kHead =
     "time_utc,verdict,error_mm,drifting_above_mm,recalibrate_above_mm,light_percent,presses,"
-    "ball_radius_mm,calibration_date,program_version";
+    "ball_radius_mm,calibration_date,program_version,bias_mm,operator";
+constexpr std::string_view kEarlierHead = kHead.substr(0, kHead.find(",bias_mm"));
+constexpr std::size_t kEarlierColumns = 10, kColumns = 12;
 constexpr std::size_t kLargestFile = std::size_t{64} << 20;
 
 std::string line_of(const CheckEntry& entry) {
-  return fmt::format("{},{},{},{},{},{},{},{},{},{}", entry.time, to_string(entry.verdict),
-                     entry.error_mm, entry.drifting_above_mm, entry.recalibrate_above_mm,
-                     entry.light_percent, entry.presses, entry.ball_radius_mm,
-                     entry.calibration_date, entry.program_version);
+  std::string person = entry.operator_name;  // one line, however it was typed
+  std::replace_if(
+      person.begin(), person.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  return fmt::format(
+      "{},{},{},{},{},{},{},{},{},{},{},{}", entry.time, to_string(entry.verdict), entry.error_mm,
+      entry.drifting_above_mm, entry.recalibrate_above_mm, entry.light_percent, entry.presses,
+      entry.ball_radius_mm, entry.calibration_date, entry.program_version,
+      entry.bias_mm ? fmt::format("{}", *entry.bias_mm) : std::string(), table_cell(person));
 }
 
+/// The text of table_cell().
+std::string unquoted(const std::string& cell) {
+  if (cell.size() < 2 || cell.front() != '"' || cell.back() != '"') return cell;
+  std::string text;
+  for (std::size_t i = 1; i + 1 < cell.size(); ++i) {
+    text += cell[i];
+    if (cell[i] == '"' && cell[i + 1] == '"' && i + 2 < cell.size()) ++i;
+  }
+  return text;
+}
+
+/// The last one may contain commas.
 std::vector<std::string> parts_of(const std::string& line) {
   std::vector<std::string> parts(1);
   for (const char c : line)
-    if (c == ',')
+    if (c == ',' && parts.size() < kColumns)
       parts.emplace_back();
     else
       parts.back() += c;
@@ -44,7 +64,8 @@ bool read(const std::string& text, T& value) {
 
 std::optional<CheckEntry> entry_from(const std::string& line) {
   const auto parts = parts_of(line);
-  if (parts.size() != 10 || !unix_seconds(parts[0])) return std::nullopt;
+  const bool is_earlier = parts.size() == kEarlierColumns;
+  if (!(is_earlier || parts.size() == kColumns) || !unix_seconds(parts[0])) return std::nullopt;
   CheckEntry entry;
   entry.time = parts[0];
   bool is_verdict = false;
@@ -61,13 +82,19 @@ std::optional<CheckEntry> entry_from(const std::string& line) {
   if (!is_complete) return std::nullopt;
   entry.calibration_date = parts[8];
   entry.program_version = parts[9];
+  if (is_earlier) return entry;
+  if (double bias_mm = 0; !parts[10].empty()) {
+    if (!read(parts[10], bias_mm)) return std::nullopt;
+    entry.bias_mm = bias_mm;
+  }
+  entry.operator_name = unquoted(parts[11]);
   return entry;
 }
 
 }  // namespace
 
 CheckEntry entry_of(const PressCheck& check, const Finger& finger, const std::string& time,
-                    const std::string& program_version) {
+                    const std::string& program_version, const std::string& operator_name) {
   CheckEntry entry;
   entry.time = time;
   entry.verdict = check.verdict;
@@ -80,6 +107,8 @@ CheckEntry entry_of(const PressCheck& check, const Finger& finger, const std::st
   const std::string date = provenance_of(finger, "calibration_date");
   if (unix_seconds(date)) entry.calibration_date = date;
   entry.program_version = program_version;
+  if (std::isfinite(check.bias_mm)) entry.bias_mm = check.bias_mm;
+  entry.operator_name = operator_name;
   return entry;
 }
 
@@ -113,7 +142,7 @@ Result<std::vector<CheckEntry>> load_checks(const fs::path& folder,
     std::string line = content->substr(begin, end - begin);
     begin = end + 1;
     if (line.ends_with('\r')) line.pop_back();
-    if (line.empty() || line == kHead) continue;
+    if (line.empty() || line == kHead || line == kEarlierHead) continue;
     if (auto entry = entry_from(line)) {
       entries.push_back(std::move(*entry));
     } else if (warnings != nullptr) {
@@ -132,7 +161,10 @@ Status append_check(const fs::path& folder, const CheckEntry& entry) {
     if (!content) return content.error();
     text = std::move(content).value();
   }
-  if (text.empty()) text = std::string(kHead) + "\n";
+  const bool has_earlier_head =
+      text.starts_with(kEarlierHead) && text.substr(kEarlierHead.size(), 1) == "\n";
+  if (has_earlier_head) text.erase(0, kEarlierHead.size() + 1);
+  if (text.empty() || has_earlier_head) text.insert(0, std::string(kHead) + "\n");
   if (!text.ends_with('\n')) text += '\n';
   return write_file_atomically(file, text + line_of(entry) + "\n");
 }

@@ -1,7 +1,9 @@
 // The checks of a finger over time: checks.csv in its folder, one line a check.
 //
 //   time_utc,verdict,error_mm,drifting_above_mm,recalibrate_above_mm,light_percent,presses,
-//   ball_radius_mm,calibration_date,program_version
+//   ball_radius_mm,calibration_date,program_version,bias_mm,operator
+//
+// Earlier versions wrote neither bias_mm nor operator; such lines are valid.
 #pragma once
 
 #include "calibration/checks/press_check.h"
@@ -9,6 +11,7 @@
 #include "core/base/utc_time.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,12 +26,15 @@ struct CheckEntry {
   double ball_radius_mm = 0;
   std::string calibration_date;  ///< of the calibration that was checked
   std::string program_version;
+  std::optional<double> bias_mm;  ///< PressCheck::bias_mm; empty: of an earlier version
+  std::string operator_name;      ///< empty: not given
 
   bool operator==(const CheckEntry&) const = default;
 };
 
 [[nodiscard]] CheckEntry entry_of(const PressCheck& check, const Finger& finger,
-                                  const std::string& time, const std::string& program_version);
+                                  const std::string& time, const std::string& program_version,
+                                  const std::string& operator_name);
 
 inline constexpr const char* kCheckFile = "checks.csv";
 

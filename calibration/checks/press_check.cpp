@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <functional>
 #include <set>
 #include <tuple>
 
@@ -50,9 +51,11 @@ Mean mean_of(std::vector<double> values) {
   return result;
 }
 
-Mean mean_of(const std::vector<CheckedPress>& presses, double CheckedPress::*member) {
+/// Of a member, or of what a member function returns.
+template <class Member>
+Mean mean_of(const std::vector<CheckedPress>& presses, Member member) {
   std::vector<double> values;
-  for (const CheckedPress& press : presses) values.push_back(press.*member);
+  for (const CheckedPress& press : presses) values.push_back(std::invoke(member, press));
   return mean_of(std::move(values));
 }
 
@@ -232,6 +235,7 @@ void judge(const std::vector<CheckedPress>& own, double held_out_mm, PressCheck&
   }
   check.error_mm = mean_of(check.presses, &CheckedPress::error_mm).mean;
   check.factor = mean_of(check.presses, &CheckedPress::factor).mean;
+  check.bias_mm = mean_of(check.presses, &CheckedPress::bias_mm).mean;
   check.light_change = mean_of(check.presses, &CheckedPress::light_change).mean - light.mean;
   check.drifting_above_mm = std::max(kMinErrorMm, error.mean + kChance * error.sd / std::sqrt(n));
   check.recalibrate_above_mm = std::max(2 * check.drifting_above_mm, kGoodErrorMm);

@@ -44,6 +44,9 @@ struct CheckedPress {
   double depth_mm = 0;      ///< deepest point of the body; of a punch the height of its step
   double light_change = 0;  ///< 0.02: the face is 2 % brighter than its reference
   ContactSpot spot;         ///< position on the face
+
+  /// Depth read minus depth_mm.
+  [[nodiscard]] double bias_mm() const { return depth_mm / factor - depth_mm; }
 };
 
 struct PressCheck {
@@ -51,6 +54,7 @@ struct PressCheck {
   double error_mm = 0;  ///< mean of the presses
   double drifting_above_mm = 0, recalibrate_above_mm = 0;
   double factor = 1;        ///< mean of the presses
+  double bias_mm = 0;       ///< mean of the presses
   double light_change = 0;  ///< against the presses of the calibration
   double light_limit = 0;   ///< limit for drifting
   double ball_radius_mm = 0;

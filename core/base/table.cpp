@@ -573,6 +573,14 @@ Result<double> Table::number(int column) const {
   return converted;
 }
 
+Result<std::string> Table::digits(int column) const {
+  if (const auto value = number(column); !value) return value.error();
+  std::string digits(text(column));
+  if (mark_ == DecimalMark::kComma) std::replace(digits.begin(), digits.end(), ',', '.');
+  return plain_value(digits, DecimalMark::kPoint) ? digits
+                                                  : plain_number(text(column), {mark_, {}});
+}
+
 Result<double> Table::time_s(int column, int date) {
   Column& of = columns_[static_cast<std::size_t>(column)];
   const std::string_view cell = text(column);

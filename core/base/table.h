@@ -91,6 +91,9 @@ class Table {
   [[nodiscard]] std::string_view text(int column) const;
   /// In the unit of the column's measure; finite.
   [[nodiscard]] Result<double> number(int column) const;
+  /// The digits of a number as std::from_chars reads them, in the unit of the file: a double may
+  /// hold fewer. Errors: those of number().
+  [[nodiscard]] Result<std::string> digits(int column) const;
   /// A time in s: a number in the column's unit (without one: seconds since 1970 in ms, us or ns
   /// where they can be nothing else), or a time stamp, with the column `date` in front of a time of
   /// day (-1: none). In all rows of the same form. 0 is 1970-01-01 or midnight.

@@ -1,10 +1,12 @@
 // A calibrated finger held against new presses: what changed is told, what did not is not.
+#include "calibration/checks/check_history.h"
 #include "core/base/atomic_file.h"
 #include "core/image/image_file.h"
 #include "tests/support/flat_finger.h"
 #include "tests/support/made_meshes.h"
 
 #include <cmath>
+#include <tuple>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -64,6 +66,59 @@ class PressCheck : public testing::Test {
   FlatFinger flat_;
   int set_ = 0;
 };
+
+/// A thicker layer reads too deep: by that, with its sign, two operators are compared on two
+/// fingers.
+TEST_F(PressCheck, IsAReadingOfAGageStudy) {
+  const json first =
+      json::parse(check(presses(1.2, 1), {"--operator", "Ann, \"late\"", "--json"}).output);
+  double bias_mm = 0;
+  for (const json& press : first.at("presses"))
+    bias_mm += press.at("depth_mm").get<double>() * (1 / press.at("factor").get<double>() - 1) / 3;
+  EXPECT_GT(bias_mm, 0.02);
+  EXPECT_NEAR(first.at("bias_mm").get<double>(), bias_mm, 1e-12);
+  auto checks = load_checks(flat_.finger(), nullptr);
+  ASSERT_TRUE(checks.ok());
+  ASSERT_EQ(checks->size(), 1U);
+  EXPECT_EQ(checks->front().operator_name, "Ann, \"late\"");
+  EXPECT_EQ(checks->front().bias_mm, first.at("bias_mm").get<double>());
+
+  EXPECT_THAT(run_alltact({"check", "--gage", flat_.finger(), flat_.finger()}).errors,
+              HasSubstr("named twice"));
+  const fs::path other = flat_.file("other");
+  fs::copy(flat_.finger(), other, fs::copy_options::recursive);
+  CheckEntry reading = checks->front();
+  ASSERT_TRUE(fs::remove(other / kCheckFile));
+  // Made-up readings: finger, operator, mm.
+  const std::vector<std::tuple<fs::path, std::string, double>> readings{
+      {flat_.finger(), "Bob", 0.010},
+      {flat_.finger(), "Bob", 0.012},
+      {flat_.finger(), "Ann, \"late\"", 0.011},
+      {other, "Bob", 0.031},
+      {other, "Bob", 0.030},
+      {other, "Ann, \"late\"", 0.029},
+      {other, "Ann, \"late\"", 0.032},
+      {other, "", 0.5}};
+  for (const auto& [finger, person, value] : readings) {
+    reading.operator_name = person;
+    reading.bias_mm = value;
+    ASSERT_TRUE(append_check(finger, reading).ok());
+  }
+  const ProgramRun run = run_alltact(
+      {"check", "--gage", flat_.finger(), other.string(), "--tolerance-mm", "0.2", "--json"});
+  ASSERT_EQ(run.status, 0) << run.errors;
+  EXPECT_THAT(run.errors, HasSubstr("without an operator is left out"));
+  const json study = json::parse(run.output);
+  EXPECT_EQ(study.at("parts"), (json{"finger", "other"}));
+  EXPECT_EQ(study.at("repeats"), 2);
+  const double total = study.at("total_sd_mm").get<double>();
+  EXPECT_NEAR(std::pow(study.at("gage_sd_mm").get<double>(), 2) +
+                  std::pow(study.at("parts_sd_mm").get<double>(), 2),
+              total * total, 1e-12);
+  EXPECT_NEAR(study.at("gage_percent_of_tolerance").get<double>(),
+              600 * study.at("gage_sd_mm").get<double>() / 0.2, 1e-9);
+  EXPECT_EQ(run_alltact({"check", "--tolerance-mm", "1"}).status, 2);
+}
 
 /// A flat punch of 10 x 9 mm, its one half pressed in by 0.55 mm, the other by a step less; the
 /// skin comes back from edges over 0.15 mm.

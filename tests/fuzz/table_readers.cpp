@@ -1,5 +1,6 @@
 // Readers of tables, lines and logs.
 #include "calibration/checks/check_history.h"
+#include "calibration/checks/gage_readings.h"
 #include "calibration/force/collect_force.h"
 #include "calibration/force/force_table.h"
 #include "core/base/atomic_file.h"
@@ -81,7 +82,9 @@ CheckEntry some_check() {
           3,
           4.0,
           "2026-01-01T00:00:00Z",
-          "0.1.0"};
+          "0.1.0",
+          -0.012,
+          "Ann, \"late\""};
 }
 
 std::vector<std::string> check_seeds() {
@@ -99,6 +102,18 @@ Reading read_checks(const std::string& bytes) {
     for (const CheckEntry& entry : checks)
       if (!std::isfinite(entry.error_mm)) return "an error that is no number";
     return file.stray();
+  });
+}
+
+/// A study of the table has finite figures, and its parts of the sum of squares add up.
+Reading read_gage(const std::string& bytes) {
+  static const ScratchFile file("gage.csv");
+  return reading_of(read_gage_table(file.write(bytes)), [](const GageReadings& read) {
+    const auto study = gage_study(read.readings);
+    if (!study) return fault_of(Reading{study.error()});
+    for (const double figure : {study->gage, study->total_sd, study->gage_95.high, study->mean})
+      if (!std::isfinite(figure)) return std::string("a figure that is no number");
+    return std::string(study->gage <= study->total_sd * (1 + 1e-9) ? "" : "more than all");
   });
 }
 
@@ -234,6 +249,13 @@ std::vector<Reader> table_readers() {
       {"marker_table", marker_seeds, read_markers},
       {"frame_log", journal_seeds, read_frame_log},
       {"checks", check_seeds, read_checks},
+      {"gage_table",
+       [] {
+         return std::vector<std::string>{
+             "part,operator,value_mm\na,A,1.5\na,A,1.25\nb,A,2\nb,A,2.5\n",
+             "Finger;Appraiser;Reading [um]\n1;x;1e12\n1;y;-3,5\n1;x;1\n1;y;2\n"};
+       },
+       read_gage},
       {"force_table",
        [] {
          return std::vector{

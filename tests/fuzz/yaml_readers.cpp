@@ -10,6 +10,7 @@
 #include "core/finger/force_model.h"
 #include "core/gripper/gripper.h"
 #include "core/gripper/gripper_recording.h"
+#include "core/inspection/inspection_recipe.h"
 #include "core/sensing/force/force_meter.h"
 #include "core/sensing/markers/dot_network.h"
 #include "core/sensing/result_json.h"
@@ -69,6 +70,22 @@ std::vector<std::string> foreign_camera_seeds() {
   std::vector<std::string> seeds;
   for (const ForeignFile& file : foreign_files(some_foreign_camera())) seeds.push_back(file.text);
   return seeds;
+}
+
+Reading read_recipe(const std::string& bytes) {
+  return reading_of(InspectionRecipe::parse(bytes, "recipe.yaml"), [](const auto& recipe) {
+    const std::string written = recipe.to_yaml();
+    return same_again<InspectionRecipe>(written, InspectionRecipe::parse(written, "recipe.yaml"),
+                                        [](const InspectionRecipe& r) { return r.to_yaml(); });
+  });
+}
+
+std::vector<std::string> recipe_seeds() {
+  InspectionRecipe recipe;
+  recipe.name = "a \"seal\"";
+  recipe.readings = {{"depth", Measurand::kStep, {30, -2.5}, {36, 2.5}, 0.45, 0.55},
+                     {"1e3", Measurand::kAngle, {0, 0}, {1, 1}, {}, -2.0}};
+  return {recipe.to_yaml()};
 }
 
 CalibrationInputs some_inputs() {
@@ -271,6 +288,7 @@ std::vector<Reader> yaml_readers() {
     };
   };
   return {
+      {"inspection_recipe", recipe_seeds, read_recipe},
       {"finger", texts({kFinRay, kFlat}),
        [](const std::string& bytes) {
          return reading_of(Finger::parse(bytes, "finger.yaml"), law_of_finger);

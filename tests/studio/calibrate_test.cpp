@@ -406,7 +406,7 @@ TEST(Calibrate, TheListIsAProperModel) {
   rig.type_radius("4");
   ASSERT_TRUE(rig.wait_until_looked_at(3));
   rig.collection().leave_out("press_02", "glove");
-  rig.collection().remove("press_03");
+  rig.collection().remove({"press_03"});
   rig.studio().window().undo_stack().undo();
   EXPECT_EQ(list->model()->rowCount(), 3);
   EXPECT_THAT(list->model()->index(1, 0).data().toString().toStdString(),
@@ -439,6 +439,7 @@ TEST(Calibrate, ThreePressesTellWhetherItStillHolds) {
     rig.studio().click("Take a press (Space)");
     ASSERT_TRUE(wait_until([&] { return says(rig.studio(), count); })) << count;
   }
+  rig.studio().find<QLineEdit>("Operator")->setText("Ann");
   rig.studio().click("Check now");
   ASSERT_TRUE(wait_until(
       [&] {
@@ -454,6 +455,9 @@ TEST(Calibrate, ThreePressesTellWhetherItStillHolds) {
       << checks[0].presses << " presses";
   EXPECT_EQ(checks[0].verdict, CheckVerdict::kPass);
   EXPECT_EQ(checks[0].presses, 3);
+  EXPECT_EQ(checks[0].operator_name, "Ann");
+  ASSERT_TRUE(checks[0].bias_mm.has_value());
+  EXPECT_LE(std::abs(*checks[0].bias_mm), checks[0].drifting_above_mm) << "it passed";
   QTest::keyClick(&rig.studio().window(), Qt::Key_Z, Qt::ControlModifier);
   EXPECT_TRUE(wait_until([&] { return says(rig.studio(), "Not checked yet"); }));
   EXPECT_TRUE(load_checks(rig.finger(), nullptr).value().empty());

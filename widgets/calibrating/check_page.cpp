@@ -16,6 +16,7 @@
 #include <QDateTime>
 #include <QHBoxLayout>
 #include <QLocale>
+#include <QSettings>
 #include <QVBoxLayout>
 
 namespace alltact {
@@ -23,7 +24,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kCheckSideWidth = 330, kCheckSymbol = 28;
+constexpr int kCheckSideWidth = 330, kCheckSymbol = 28, kLongestName = 80;
+constexpr QLatin1String kOperatorKey{"check/operator"};
 
 /// Local date and time in the window's language.
 QString date_text(const std::string& utc) {
@@ -46,7 +48,7 @@ std::optional<std::string> content_of(const fs::path& file) {
 }
 
 Checked check_frames(const fs::path& folder, const std::vector<FramePtr>& frames,
-                     const std::string& version, const Job& job) {
+                     const std::string& operator_name, const std::string& version, const Job& job) {
   Checked checked;
   const auto fail = [&checked](const Error& error) {
     checked.problem = error;
@@ -60,7 +62,7 @@ Checked check_frames(const fs::path& folder, const std::vector<FramePtr>& frames
   if (!check) return fail(check.error());
   checked.before = content_of(folder / kCheckFile);
   const Status appended =
-      append_check(folder, entry_of(*check, (*finger)->finger, utc_now(), version));
+      append_check(folder, entry_of(*check, (*finger)->finger, utc_now(), version, operator_name));
   if (!appended) return fail(appended.error());
   checked.after = content_of(folder / kCheckFile);
   checked.check = *check;
@@ -81,9 +83,11 @@ CheckPage::CheckPage(LiveSession& session, PressCollection& collection, const Ca
       take_group_(new QGroupBox),
       verdict_group_(new QGroupBox),
       how_(wrapped_text()),
+      operator_label_(new QLabel),
       symbol_(new QLabel),
       verdict_(wrapped_label()),
       sentence_(wrapped_text()),
+      operator_(new QLineEdit),
       count_(new ReservedText),
       take_(new QPushButton),
       again_(new QPushButton),
@@ -126,6 +130,10 @@ CheckPage::CheckPage(LiveSession& session, PressCollection& collection, const Ca
     take_->setText(tr("&Take a press (Space)"));
     again_->setText(tr("&Begin again"));
     check_->setText(tr("&Check now"));
+    operator_label_->setText(tr("O&perator"));
+    operator_->setAccessibleName(tr("Operator"));
+    operator_->setToolTip(
+        tr("Stored with the check: it separates operators from repetitions in a gage study."));
     bar_->setAccessibleName(tr("Progress of the check"));
     count_->reserve_for(
         {waiting_words(PressTaker::State::kWaits), waiting_words(PressTaker::State::kRefused)});
@@ -142,6 +150,14 @@ QWidget* CheckPage::make_side() {
   reserve_room(*bar_);
   reserve_room(*symbol_);
   add_widgets(*take, {how_, take_, count_});
+  auto* person = new QHBoxLayout;
+  add_widgets(*person, {operator_label_, operator_});
+  operator_label_->setBuddy(operator_);
+  operator_->setMaxLength(kLongestName);
+  operator_->setText(QSettings().value(kOperatorKey).toString());
+  // The next key must not be typed into the field.
+  connect(operator_, &QLineEdit::returnPressed, this, [this] { take_->setFocus(); });
+  take->addLayout(person);
   auto* row = new QHBoxLayout;
   row->addWidget(check_);
   row->addWidget(again_);
@@ -193,8 +209,11 @@ void CheckPage::forget_taken() {
 
 void CheckPage::check() {
   set_problems({});
-  work_.start([this, folder = folder_, frames = taken_, version = version_](const Job& job) {
-    auto checked = std::make_shared<Checked>(check_frames(folder, frames, version, job));
+  const QString person = operator_->text().trimmed();
+  QSettings().setValue(kOperatorKey, person);
+  work_.start([this, folder = folder_, frames = taken_, person = person.toStdString(),
+               version = version_](const Job& job) {
+    auto checked = std::make_shared<Checked>(check_frames(folder, frames, person, version, job));
     return std::function<void()>([this, checked, folder] {
       if (folder != folder_) return;
       if (checked->problem) return set_problems({Problem::of(*checked->problem)});

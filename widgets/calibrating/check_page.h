@@ -11,6 +11,7 @@
 #include "widgets/undo_step.h"
 
 #include <QGroupBox>
+#include <QLineEdit>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QUndoStack>
@@ -72,7 +73,8 @@ class CheckPage : public StepPage {
   std::vector<CheckEntry> history_;
   ImagePanel* live_;
   QGroupBox *take_group_, *verdict_group_;
-  QLabel *how_, *symbol_, *verdict_, *sentence_;
+  QLabel *how_, *operator_label_, *symbol_, *verdict_, *sentence_;
+  QLineEdit* operator_;
   ReservedText* count_;
   QPushButton *take_, *again_, *check_;
   QProgressBar* bar_;

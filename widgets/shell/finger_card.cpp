@@ -409,6 +409,7 @@ FingerListDialog::FingerListDialog(std::vector<fs::path> known, QWidget* parent)
       count_(new QLabel),
       open_(new QPushButton),
       folder_(new QPushButton),
+      gage_(new QPushButton),
       buttons_(new QDialogButtonBox(QDialogButtonBox::Close)) {
   for (const fs::path& folder : known_) folders_.insert(folder.parent_path());
   auto* column = new QVBoxLayout(this);
@@ -416,11 +417,13 @@ FingerListDialog::FingerListDialog(std::vector<fs::path> known, QWidget* parent)
   list_->setAllColumnsShowFocus(true);
   list_->setUniformRowHeights(true);
   list_->setTextElideMode(Qt::ElideRight);
+  list_->setSelectionMode(QAbstractItemView::ExtendedSelection);
   column->addWidget(count_);
   column->addWidget(list_, 1);
   auto* row = new QHBoxLayout;
   row->addWidget(open_);
   row->addWidget(folder_);
+  row->addWidget(gage_);
   row->addStretch();
   row->addWidget(buttons_);
   column->addLayout(row);
@@ -428,6 +431,8 @@ FingerListDialog::FingerListDialog(std::vector<fs::path> known, QWidget* parent)
   connect(&reading_, &BackgroundWork::finished, this, &FingerListDialog::fill);
   connect(list_, &QTreeWidget::itemActivated, this, &FingerListDialog::open_chosen);
   connect(list_, &QTreeWidget::currentItemChanged, this, &FingerListDialog::follow_choice);
+  connect(list_, &QTreeWidget::itemSelectionChanged, this, &FingerListDialog::follow_choice);
+  connect(gage_, &QPushButton::clicked, this, [this] { Q_EMIT gage_requested(selected()); });
   connect(open_, &QPushButton::clicked, this, &FingerListDialog::open_chosen);
   connect(folder_, &QPushButton::clicked, this, [this] {
     ask_for_folder(this, FilesOf::kFingers, tr("Folder with fingers"),
@@ -445,6 +450,8 @@ FingerListDialog::FingerListDialog(std::vector<fs::path> known, QWidget* parent)
                             tr("Checked"), tr("Due"), tr("Folder")});
     open_->setText(tr("&Open"));
     folder_->setText(tr("&Look in another folder…"));
+    gage_->setText(tr("&Gage R&&R…"));
+    gage_->setToolTip(tr("Compares the checks of the selected fingers by their operators"));
     buttons_->button(QDialogButtonBox::Close)->setText(tr("&Close"));
     fill();
   });
@@ -494,7 +501,18 @@ void FingerListDialog::fill() {
   follow_choice();
 }
 
-void FingerListDialog::follow_choice() { open_->setEnabled(list_->currentItem() != nullptr); }
+void FingerListDialog::follow_choice() {
+  open_->setEnabled(list_->currentItem() != nullptr);
+  gage_->setEnabled(!selected().empty());
+}
+
+std::vector<fs::path> FingerListDialog::selected() const {
+  std::vector<fs::path> folders;
+  for (int i = 0; i < list_->topLevelItemCount(); ++i)
+    if (const auto* row = list_->topLevelItem(i); row->isSelected())
+      folders.emplace_back(row->text(kListFolder).toStdString());
+  return folders;
+}
 
 void FingerListDialog::open_chosen() {
   const QTreeWidgetItem* chosen = list_->currentItem();

@@ -121,11 +121,14 @@ class FingerListDialog : public FittedDialog {
 
  Q_SIGNALS:
   void finger_chosen(const QString& folder);
+  /// Folders of the selected fingers, in the order of the list.
+  void gage_requested(const std::vector<std::filesystem::path>& folders);
 
  private:
   void read();
   void fill();
   void open_chosen();
+  [[nodiscard]] std::vector<std::filesystem::path> selected() const;
   void follow_choice();
 
   std::vector<std::filesystem::path> known_;
@@ -133,7 +136,7 @@ class FingerListDialog : public FittedDialog {
   std::vector<FingerCard> cards_;            // most urgent first
   QTreeWidget* list_;
   QLabel* count_;
-  QPushButton *open_, *folder_;
+  QPushButton *open_, *folder_, *gage_;
   QDialogButtonBox* buttons_;
   BackgroundWork reading_;
 };

@@ -21,6 +21,8 @@ CheckEntry some_entry(int i) {
   entry.ball_radius_mm = 3.975;
   entry.calibration_date = "2026-01-30T12:00:00Z";
   entry.program_version = "0.1.0";
+  if (i % 2 == 1) entry.bias_mm = -0.0125 * i;
+  entry.operator_name = i % 3 == 0 ? "" : "Ann \"A.\", night, " + std::to_string(i);
   return entry;
 }
 
@@ -50,6 +52,26 @@ TEST(CheckHistory, ACutOffFileKeepsItsWholeLinesAndGoesOn) {
     ASSERT_TRUE(append_check(folder.path(), some_entry(7)).ok());
     EXPECT_EQ(load_checks(folder.path(), nullptr)->back(), some_entry(7)) << length;
   }
+}
+
+TEST(CheckHistory, LinesOfEarlierVersionsStayAndTheHeadNamesAllColumns) {
+  const test::TemporaryFolder folder;
+  const std::string line =
+      "2026-01-31T12:00:00Z,pass,0.01,0.02,0.06,-1.25,3,4,2026-01-30T12:00:00Z,0.1.0";
+  test::write_text(folder / kCheckFile,
+                   "time_utc,verdict,error_mm,drifting_above_mm,recalibrate_above_mm,"
+                   "light_percent,presses,ball_radius_mm,calibration_date,program_version\n" +
+                       line + "\n");
+  ASSERT_TRUE(append_check(folder.path(), some_entry(1)).ok());
+  std::vector<Message> warnings;
+  const auto back = load_checks(folder.path(), &warnings);
+  ASSERT_TRUE(back.ok());
+  EXPECT_TRUE(warnings.empty());
+  ASSERT_EQ(back->size(), 2U);
+  EXPECT_FALSE(back->front().bias_mm.has_value());
+  EXPECT_EQ(back->back(), some_entry(1));
+  const std::string text = test::text_of(folder / kCheckFile);
+  EXPECT_THAT(text, testing::HasSubstr("program_version,bias_mm,operator\n" + line + "\n"));
 }
 
 TEST(CheckHistory, TheLastCheckCountsForTheCalibrationThatItWasOf) {
