@@ -100,6 +100,7 @@ void add_commands(CLI::App& program, Chosen& chosen, bool& json) {
   add_calibrate(program, chosen);
   add_reconstruct(program, chosen);
   add_merge(program, chosen);
+  add_inspect(program, chosen);
   add_serve(program, chosen);
   add_record(program, chosen);
   add_force(program, chosen);

@@ -25,6 +25,7 @@ inline constexpr std::array kCommands = {
     CommandName{"calibrate", "Calibrates depth with presses of a ball of known radius"},
     CommandName{"reconstruct", "Computes depth and 3D points from images"},
     CommandName{"merge", "Joins the parts of a reconstruction that several computers shared"},
+    CommandName{"inspect", "Inspects a recording by a recipe: readings, tolerances, decisions"},
     CommandName{"serve", "Measures a source live, for other programs on this computer"},
     CommandName{"record", "Records a source without loss; recorded frames survive a kill"},
     CommandName{"force", "Trains a force model from marker positions and gauge readings"},

@@ -160,6 +160,7 @@ Json inspect_to_json(const InspectState& state) {
   json["depth_times"] = options.scene.exaggeration;
   if (options.a) json["a_mm"] = {options.a->along_mm, options.a->across_mm};
   if (options.b) json["b_mm"] = {options.b->along_mm, options.b->across_mm};
+  if (!options.recipe.readings.empty()) json["recipe"] = options.recipe.to_yaml();
   return json;
 }
 
@@ -184,6 +185,9 @@ InspectState inspect_from_json(const Json& json) {
   options.with = comparand_of(value_or(json, "with", Json()));
   options.a = position_of(json, "a_mm");
   options.b = position_of(json, "b_mm");
+  const std::string recipe = value_or(json, "recipe", std::string());
+  if (auto read = InspectionRecipe::parse(recipe, kSessionFormat); read && !recipe.empty())
+    options.recipe = std::move(*read);
   return state;
 }
 
@@ -206,6 +210,7 @@ std::string session_to_json(const SessionState& state) {
       json["controls"][camera].push_back(
           {{"id", control.id}, {"name", control.name}, {"value", control.value}});
   json["recent_fingers"] = texts_of(state.recent_fingers);
+  json["recent_sources"] = texts_of(state.recent_sources);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -226,8 +231,9 @@ Result<SessionState> session_from_json(const std::string& text, const std::strin
     for (const auto& [camera, values] : controls.items())
       state.controls[camera] = controls_of(values);
   state.recent_fingers = paths_of(json, "recent_fingers");
-  if (state.recent_fingers.size() > kMaxRecentFingers)
-    state.recent_fingers.resize(kMaxRecentFingers);
+  state.recent_sources = paths_of(json, "recent_sources");
+  for (auto* recent : {&state.recent_fingers, &state.recent_sources})
+    if (recent->size() > kMaxRecentFingers) recent->resize(kMaxRecentFingers);
   return state;
 }
 

@@ -35,6 +35,8 @@ struct SessionState {
   /// Values set by hand, by the camera's persistent name.
   std::map<std::string, std::vector<ControlValue>> controls;
   std::vector<std::filesystem::path> recent_fingers;  ///< latest first, at most kMaxRecentFingers
+  /// Files and folders, likewise; neither cameras nor the program's own scenes.
+  std::vector<std::filesystem::path> recent_sources;
   bool operator==(const SessionState&) const = default;
 };
 

@@ -17,7 +17,7 @@ using testing::HasSubstr;
 const std::vector<std::string> kCommands = {
     "new",     "simulate", "lens",        "reference", "calibrate", "reconstruct",
     "merge",   "serve",    "record",      "force",     "check",     "export",
-    "gripper", "study",    "experiments", "demo",      "thumbnail"};
+    "gripper", "study",    "experiments", "demo",      "thumbnail", "inspect"};
 
 TEST(Usage, HelpNamesEveryCommand) {
   const ProgramRun run = run_alltact({"--help"});

@@ -176,7 +176,7 @@ TEST_F(Inspect, MeasuresWhatLiesBetweenThePoints) {
   const auto readings = surface_readings(frame(), *pixel_of(frame(), place().options().a),
                                          *pixel_of(frame(), place().options().b));
   ASSERT_EQ(static_cast<std::size_t>(table->rowCount()), readings.size());
-  const MeasuredValue apart = readings.front().measured.value();
+  const MeasuredValue apart = readings.front().reading.measured.value();
   EXPECT_NEAR(apart.value,
               distance_between(frame().result, frame().face, deepest - cv::Point2d(14, 26),
                                deepest + cv::Point2d(14, 26))
@@ -184,19 +184,20 @@ TEST_F(Inspect, MeasuresWhatLiesBetweenThePoints) {
               1e-6);
   EXPECT_GT(apart.sd, 0);
   EXPECT_LT(apart.sd, 0.1);
-  const MeasuredValue radius = readings[1].measured.value();
+  const MeasuredValue radius = readings[1].reading.measured.value();
   EXPECT_NEAR(radius.value, 4.0, std::max(3 * radius.sd, 0.1)) << "as the scene says";
   EXPECT_LT(radius.sd, 0.5);
   // The box ends between pixels, the region on them: the wider they are the less alike.
   const double alike = 0.05 * 960 / small_size_px().width;
-  EXPECT_NEAR(readings[3].measured.value().value, frame().result.regions.front().volume_mm3,
+  EXPECT_NEAR(readings[3].reading.measured.value().value, frame().result.regions.front().volume_mm3,
               alike * frame().result.regions.front().volume_mm3);
-  EXPECT_EQ(table->item(1, 1)->text(), value_text(readings[1]));
+  EXPECT_EQ(table->item(1, 1)->text(), value_text(readings[1].what, readings[1].reading));
   studio_.click("Copy as CSV");
   EXPECT_EQ(QGuiApplication::clipboard()->text(), csv_of(readings));
   studio_.click("Copy as text");
   EXPECT_THAT(QGuiApplication::clipboard()->text().toStdString(),
-              HasSubstr("Ball's radius: " + value_text(readings[1]).toStdString() + "\n"));
+              HasSubstr("Ball's radius: " +
+                        value_text(readings[1].what, readings[1].reading).toStdString() + "\n"));
   studio_.click("Across");  // a line is no box
   EXPECT_EQ(table->item(1, 1)->text(), QStringLiteral("–"));
   EXPECT_FALSE(table->item(1, 1)->toolTip().isEmpty());

@@ -21,14 +21,18 @@ InspectSide::InspectSide(QWidget* parent)
       points_(new PointsBox),
       section_group_(new QGroupBox),
       section_(new SectionPlot),
-      surface_(new SurfaceBox) {
+      surface_(new SurfaceBox),
+      recipe_(new RecipeBox) {
   auto* column = without_margins(new QVBoxLayout(this));
   section_->setMinimumHeight(190);
   (new QVBoxLayout(section_group_))->addWidget(section_);
-  add_widgets(*column, {view_, points_, section_group_, surface_});
+  add_widgets(*column, {view_, points_, section_group_, surface_, recipe_});
   column->addStretch();
   connect(view_, &ViewBox::changed, this, &InspectSide::changed);
   connect(points_, &PointsBox::changed, this, &InspectSide::changed);
+  connect(surface_, &SurfaceBox::add_requested, recipe_, &RecipeBox::add);
+  connect(recipe_, &RecipeBox::changed, this, &InspectSide::changed);
+  connect(recipe_, &RecipeBox::run_requested, this, &InspectSide::run_requested);
   say([this] { section_group_->setTitle(tr("Cross-section")); });
   measure();
 }
@@ -37,12 +41,14 @@ void InspectSide::set_options(const InspectOptions& options) {
   options_ = options;
   view_->set_options(options);
   points_->set_options(options);
+  recipe_->set_options(options);
   measure();
 }
 
 void InspectSide::show_frame(const std::shared_ptr<const InspectedFrame>& frame) {
   frame_ = frame;
   points_->show_frame(frame);
+  recipe_->show_frame(frame);
   measure();
 }
 

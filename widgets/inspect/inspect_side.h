@@ -5,6 +5,7 @@
 #include "widgets/controls/number_field.h"
 #include "widgets/inspect/inspected_frame.h"
 #include "widgets/inspect/point_readings.h"
+#include "widgets/inspect/recipe_box.h"
 #include "widgets/undo_step.h"
 #include "widgets/widget_base.h"
 
@@ -78,6 +79,8 @@ class InspectSide : public Translated<QWidget> {
   /// As in ViewBox.
   void changed(const alltact::InspectOptions& options, const alltact::StepWords& what,
                int merge_id);
+  /// The recipe is to be run over the recording.
+  void run_requested();
 
  private:
   void measure();
@@ -89,6 +92,7 @@ class InspectSide : public Translated<QWidget> {
   QGroupBox* section_group_;
   SectionPlot* section_;
   SurfaceBox* surface_;
+  RecipeBox* recipe_;
 };
 
 }  // namespace alltact

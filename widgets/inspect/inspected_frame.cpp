@@ -25,16 +25,9 @@ FrameSummary summary_of(const MeasuredFrame& frame) {
   return summary;
 }
 
-cv::Point2d nearest_pixel(cv::Point2d pixel) { return {std::round(pixel.x), std::round(pixel.y)}; }
-
 std::optional<cv::Point2d> pixel_of(const InspectedFrame& frame,
                                     const std::optional<FacePosition>& position) {
-  if (!position || !frame.result.shape) return std::nullopt;
-  const auto at = pixel_of_position(*frame.result.shape, {position->along_mm, position->across_mm});
-  if (!at) return std::nullopt;
-  const cv::Point2d pixel(at->x(), at->y()), rounded = nearest_pixel(pixel);
-  constexpr double kRounding_px = 1e-6;
-  return cv::norm(pixel - rounded) < kRounding_px ? rounded : pixel;
+  return position ? pixel_of(frame.result, *position) : std::nullopt;
 }
 
 std::optional<FacePosition> position_of(const InspectedFrame& frame, cv::Point2d pixel) {

@@ -4,6 +4,7 @@
 #include "calibration/live/frame_measurer.h"
 #include "core/geometry/rigid_transform.h"
 #include "core/geometry/surface_distance.h"
+#include "core/inspection/inspection_recipe.h"
 #include "core/sensing/surface_measurement.h"
 #include "core/sources/file_source.h"
 #include "widgets/scene3d/face_scene.h"
@@ -31,13 +32,6 @@ struct InspectedFrame : MeasuredFrame {
 enum class ShownAs { k3d = 1, kHeightMap };
 enum class Comparison { kNone = 1, kSideBySide, kDifference };
 
-/// Position on the face, mm: along it from its base and across it from its middle
-/// (FaceShape::position_mm). It moves with the finger.
-struct FacePosition {
-  double along_mm = 0, across_mm = 0;
-  bool operator==(const FacePosition&) const = default;
-};
-
 /// Another finger of the same gripper, with its own recording.
 struct SecondFinger {
   std::filesystem::path finger, recording;
@@ -54,6 +48,7 @@ struct InspectOptions {
   std::optional<ViewPose> view_pose;  ///< 3D camera moved by hand; none: as from the standpoint
   SceneOptions scene;
   std::optional<FacePosition> a, b;  ///< the two measuring points
+  InspectionRecipe recipe;           ///< without readings: none
 
   /// With a second finger nothing is compared.
   [[nodiscard]] Comparison shown_comparison() const {
@@ -83,8 +78,7 @@ struct FrameSummary {
 
 // Converts between the points A and B on the face and pixels of a frame.
 
-/// The pixel of a position on the face. A position computed from a pixel gives that pixel again.
-/// nullopt: the frame does not show it, or shows no face.
+/// As pixel_of() of the frame's result; nullopt also without a position.
 [[nodiscard]] std::optional<cv::Point2d> pixel_of(const InspectedFrame& frame,
                                                   const std::optional<FacePosition>& position);
 /// nullopt: the frame has no face.
@@ -95,9 +89,6 @@ struct FrameSummary {
 /// does not show them.
 [[nodiscard]] std::optional<Profile> other_profile(const InspectedFrame& frame,
                                                    const FacePosition& a, const FacePosition& b);
-
-/// The pixel with the nearest centre.
-[[nodiscard]] cv::Point2d nearest_pixel(cv::Point2d pixel);
 
 /// Frame of `second` that belongs to a frame of `first`; see match_frame().
 [[nodiscard]] MatchedFrame matched_frame(std::size_t number, const RecordingInfo& first,

@@ -341,6 +341,7 @@ SurfaceBox::SurfaceBox(QWidget* parent)
     : Translated(parent),
       hint_(wrapped_label()),
       table_(new QTableWidget(0, 2)),
+      add_(new QPushButton),
       copy_text_(new QPushButton),
       copy_(new QPushButton) {
   table_->horizontalHeader()->hide();
@@ -356,10 +357,16 @@ SurfaceBox::SurfaceBox(QWidget* parent)
   column->addWidget(hint_);
   column->addWidget(table_);
   auto* buttons = new QHBoxLayout;
+  buttons->addWidget(add_);
   buttons->addStretch();
   buttons->addWidget(copy_text_);
   buttons->addWidget(copy_);
   column->addLayout(buttons);
+  table_->setSelectionMode(QAbstractItemView::SingleSelection);
+  connect(table_, &QTableWidget::itemSelectionChanged, this, &SurfaceBox::follow_selection);
+  connect(add_, &QPushButton::clicked, this, [this] {
+    Q_EMIT add_requested(readings_[static_cast<std::size_t>(table_->currentRow())].what);
+  });
   connect(copy_text_, &QPushButton::clicked, this,
           [this] { QGuiApplication::clipboard()->setText(text_of(readings_)); });
   connect(copy_, &QPushButton::clicked, this,
@@ -369,6 +376,8 @@ SurfaceBox::SurfaceBox(QWidget* parent)
     hint_->setText(
         tr("Two points span a box: a ball's radius, area, volume and roughness inside; distance, "
            "step and angle from A to B."));
+    add_->setText(tr("Add to recipe"));
+    add_->setToolTip(tr("The selected reading, at these positions, becomes part of the recipe"));
     copy_text_->setText(tr("Copy as text"));
     copy_->setText(tr("Copy as CSV"));
     table_->setAccessibleName(tr("Measured between the points"));
@@ -386,12 +395,12 @@ void SurfaceBox::show_readings(const std::shared_ptr<const InspectedFrame>& fram
 void SurfaceBox::fill() {
   hint_->setVisible(readings_.empty());
   table_->setVisible(!readings_.empty());
-  for (QPushButton* button : {copy_text_, copy_}) button->setVisible(!readings_.empty());
+  for (QPushButton* button : {add_, copy_text_, copy_}) button->setVisible(!readings_.empty());
   table_->setRowCount(static_cast<int>(readings_.size()));
   for (int row = 0; row < table_->rowCount(); ++row) {
-    const SurfaceReading& reading = readings_[static_cast<std::size_t>(row)];
-    auto* name = new QTableWidgetItem(reading.name);
-    auto* value = new QTableWidgetItem(value_text(reading));
+    const auto& [what, reading] = readings_[static_cast<std::size_t>(row)];
+    auto* name = new QTableWidgetItem(name_of(what));
+    auto* value = new QTableWidgetItem(value_text(what, reading));
     if (!reading.measured) value->setToolTip(window_sentence(reading.reason));
     table_->setItem(row, 0, name);
     table_->setItem(row, 1, value);
@@ -400,103 +409,91 @@ void SurfaceBox::fill() {
   int height = 2 * table_->frameWidth();
   for (int row = 0; row < table_->rowCount(); ++row) height += table_->rowHeight(row);
   table_->setFixedHeight(height);
+  follow_selection();
 }
 
-namespace {
-
-constexpr double kPressedMm = 0.05;  // smaller depths may be noise
-constexpr int kAroundPx = 6;
-constexpr std::size_t kVolume = 3, kMean = 4;  // indices of the readings
-
-template <class T>
-SurfaceReading reading(QString name, const char* unit, int decimals, const Result<T>& found,
-                       const MeasuredValue T::*member) {
-  SurfaceReading reading{std::move(name), QString::fromUtf8(unit), {}, decimals, {}};
-  if (found)
-    reading.measured = (*found).*member;
-  else
-    reading.reason = found.error().what;
-  return reading;
+void SurfaceBox::follow_selection() {
+  add_->setEnabled(table_->currentRow() >= 0 && !table_->selectedItems().isEmpty());
 }
-
-cv::Rect box_of(cv::Point2d a, cv::Point2d b) {
-  const cv::Point first(static_cast<int>(std::lround(std::min(a.x, b.x))),
-                        static_cast<int>(std::lround(std::min(a.y, b.y))));
-  const cv::Point last(static_cast<int>(std::lround(std::max(a.x, b.x))),
-                       static_cast<int>(std::lround(std::max(a.y, b.y))));
-  return {first, last + cv::Point(1, 1)};
-}
-
-cv::Rect around(cv::Point2d at) {
-  return box_of(at - cv::Point2d(kAroundPx, kAroundPx), at + cv::Point2d(kAroundPx, kAroundPx));
-}
-
-}  // namespace
 
 std::vector<SurfaceReading> surface_readings(const InspectedFrame& frame, cv::Point2d a,
                                              cv::Point2d b) {
   if (!frame.result.depth || !frame.mapping) return {};
-  const auto patch = [&](const cv::Rect& box) {
-    return patch_in(frame.result, frame.face, *frame.mapping, frame.smoothing_px, box);
-  };
-  const SurfacePatch box_patch = patch(box_of(a, b));
-  const auto ball = fit_ball(box_patch);
-  const auto part = pressed_part(box_patch, kPressedMm);
-  const auto rough = roughness(box_patch);
-  const SurfaceLine line =
-      line_between(frame.result, frame.face, *frame.mapping, frame.smoothing_px, a, b);
-  const auto step = step_height(line.patch, line.along_mm);
-  SurfaceReading distance{SurfaceBox::tr("Distance A to B"), QStringLiteral("mm"), {}, 3, {}};
-  if (const auto apart = straight_distance(frame.result, frame.face, frame.sd_mm, a, b))
-    distance.measured = *apart;
-  else
-    distance.reason = apart.error().what;
-  std::vector<SurfaceReading> all = {
-      distance,
-      reading(SurfaceBox::tr("Ball's radius"), "mm", 3, ball, &FittedBall::radius_mm),
-      reading(SurfaceBox::tr("Pressed area"), "mm²", 2, part, &PressedSurface::area_mm2),
-      reading(SurfaceBox::tr("Volume"), "mm³", 3, part, &PressedSurface::volume_mm3),
-      reading(SurfaceBox::tr("Mean depth"), "mm", 3, part, &PressedSurface::mean_mm),
-      reading(SurfaceBox::tr("Roughness Sq"), "mm", 4, rough, &Roughness::sq_mm),
-      reading(SurfaceBox::tr("Step from A to B"), "mm", 3, step, &StepHeight::height_mm)};
-  if (part && part->is_lower_bound)
-    for (const std::size_t i : {kVolume, kMean}) all[i].is_lower_bound = true;
-  const auto at_a = fit_plane(patch(around(a))), at_b = fit_plane(patch(around(b)));
-  SurfaceReading angle{SurfaceBox::tr("Angle from A to B"), QStringLiteral("°"), {}, 2, {}};
-  if (at_a && at_b)
-    angle.measured = angle_deg(*at_a, *at_b);
-  else
-    angle.reason = (at_a ? at_b : at_a).error().what;
-  all.push_back(angle);
+  const FaceReader read({frame.result, frame.face, *frame.mapping, frame.smoothing_px, frame.sd_mm},
+                        a, b);
+  std::vector<SurfaceReading> all;
+  for (const Measurand what : all_measurands()) all.push_back({what, read(what)});
   return all;
 }
 
-QString value_text(const SurfaceReading& reading) {
+QString name_of(Measurand what) {
+  switch (what) {
+    case Measurand::kDistance:
+      return SurfaceBox::tr("Distance A to B");
+    case Measurand::kRadius:
+      return SurfaceBox::tr("Ball's radius");
+    case Measurand::kArea:
+      return SurfaceBox::tr("Pressed area");
+    case Measurand::kVolume:
+      return SurfaceBox::tr("Volume");
+    case Measurand::kMeanDepth:
+      return SurfaceBox::tr("Mean depth");
+    case Measurand::kRoughness:
+      return SurfaceBox::tr("Roughness Sq");
+    case Measurand::kStep:
+      return SurfaceBox::tr("Step from A to B");
+    case Measurand::kAngle:
+      break;
+  }
+  return SurfaceBox::tr("Angle from A to B");
+}
+
+QString unit_text(Measurand what) {
+  switch (what) {
+    case Measurand::kArea:
+      return QStringLiteral("mm²");
+    case Measurand::kVolume:
+      return QStringLiteral("mm³");
+    case Measurand::kAngle:
+      return QStringLiteral("°");
+    default:
+      return QStringLiteral("mm");
+  }
+}
+
+int decimals_of(Measurand what) {
+  if (what == Measurand::kRoughness) return 4;
+  return what == Measurand::kArea || what == Measurand::kAngle ? 2 : 3;
+}
+
+QString value_text(Measurand what, const FaceReading& reading) {
   if (!reading.measured) return SurfaceBox::tr("–");
   const auto& [value, sd] = *reading.measured;
-  return QStringLiteral("%1 %2").arg(reading.is_lower_bound
-                                         ? limit_and_sd(value, sd, reading.decimals)
-                                         : number_and_sd(value, sd, reading.decimals),
-                                     reading.unit);
+  const int decimals = decimals_of(what);
+  return QStringLiteral("%1 %2").arg(reading.is_lower_bound ? limit_and_sd(value, sd, decimals)
+                                                            : number_and_sd(value, sd, decimals),
+                                     unit_text(what));
 }
 
 QString text_of(const std::vector<SurfaceReading>& readings) {
   QString text;
   for (const SurfaceReading& reading : readings)
-    if (reading.measured) text += labelled(reading.name, value_text(reading)) + QLatin1Char('\n');
+    if (reading.reading.measured)
+      text += labelled(name_of(reading.what), value_text(reading.what, reading.reading)) +
+              QLatin1Char('\n');
   return text;
 }
 
 QString csv_of(const std::vector<SurfaceReading>& readings) {
   QStringList lines{QStringLiteral("name,value,sd,unit,limits")};
-  for (const SurfaceReading& reading : readings) {
+  for (const auto& [what, reading] : readings) {
     if (!reading.measured) continue;
     const double sd = reading.measured->sd;
     lines << QStringLiteral("\"%1\",%2,%3,%4,%5")
-                 .arg(reading.name)
+                 .arg(name_of(what))
                  .arg(reading.measured->value, 0, 'g', 8)
                  .arg(sd_kind(sd, 0) == SdKind::kUnknown ? QString() : QString::number(sd, 'g', 4))
-                 .arg(reading.unit)
+                 .arg(unit_text(what))
                  .arg(reading.is_lower_bound ? QStringLiteral("layer_limit") : QString());
   }
   return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');

@@ -1,6 +1,7 @@
 // The two measuring points: their positions and readings.
 #pragma once
 
+#include "core/inspection/face_reading.h"
 #include "core/sensing/surface_measurement.h"
 #include "widgets/controls/number_field.h"
 #include "widgets/inspect/inspected_frame.h"
@@ -78,23 +79,23 @@ struct ProbeText {
 
 // Readings of the face between the points A and B.
 
-/// One line of the table. `reason` is set where `measured` is empty.
+/// One line of the table.
 struct SurfaceReading {
-  QString name, unit;
-  std::optional<MeasuredValue> measured;
-  int decimals = 2;
-  Message reason;
-  bool is_lower_bound = false;  ///< a part is at the layer's limit: shown as "at least"
+  Measurand what = Measurand::kDistance;
+  FaceReading reading;
 };
 
-/// Straight distance from A to B; within the box whose corners are A and B the ball radius, contact
-/// area, volume, mean depth and roughness; the step along the line from A to B; the angle between
-/// the surfaces 13 pixels wide around A and B. Empty for a frame without depth.
+/// All measurands. Empty for a frame without depth.
 [[nodiscard]] std::vector<SurfaceReading> surface_readings(const InspectedFrame& frame,
                                                            cv::Point2d a, cv::Point2d b);
 
+/// "Ball's radius"
+[[nodiscard]] QString name_of(Measurand what);
+/// "mm²"
+[[nodiscard]] QString unit_text(Measurand what);
+[[nodiscard]] int decimals_of(Measurand what);
 /// "4.02 ± 0.03 mm"; a dash where nothing was measured.
-[[nodiscard]] QString value_text(const SurfaceReading& reading);
+[[nodiscard]] QString value_text(Measurand what, const FaceReading& reading);
 
 /// A line each: "Ball's radius: 4.020 ± 0.031 mm".
 [[nodiscard]] QString text_of(const std::vector<SurfaceReading>& readings);
@@ -114,13 +115,18 @@ class SurfaceBox : public Translated<QGroupBox> {
   void show_readings(const std::shared_ptr<const InspectedFrame>& frame,
                      const std::optional<cv::Point2d>& a, const std::optional<cv::Point2d>& b);
 
+ Q_SIGNALS:
+  /// The selected reading is to be part of the recipe.
+  void add_requested(alltact::Measurand what);
+
  private:
   void fill();
+  void follow_selection();
 
   std::vector<SurfaceReading> readings_;
   QLabel* hint_;
   QTableWidget* table_;
-  QPushButton *copy_text_, *copy_;
+  QPushButton *add_, *copy_text_, *copy_;
 };
 
 // Plot of depth along a line over the face, for the screen and for a paper.

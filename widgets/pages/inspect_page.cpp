@@ -3,6 +3,7 @@
 #include "core/base/atomic_file.h"
 #include "widgets/inspect/finger_pair.h"
 #include "widgets/inspect/inspected_frame.h"
+#include "widgets/inspect/inspection_results.h"
 #include "widgets/inspect/point_readings.h"
 #include "widgets/language.h"
 #include "widgets/live/touch_history.h"
@@ -121,6 +122,7 @@ void InspectPage::connect_parts() {
   });
   connect(time_line_, &TimeLine::frame_requested, &inspection_, &Inspection::show_frame);
   connect(side_, &InspectSide::changed, this, &InspectPage::change_options);
+  connect(side_, &InspectSide::run_requested, this, &InspectPage::inspect_all);
   connect(force_, &ForceBox::zero_requested, this,
           [this](const ForceZero& zero) { take_zero(session_, undo_, zero); });
   connect(force_, &ForceBox::no_zero_requested, this, [this] { drop_zero(session_, undo_); });
@@ -231,6 +233,12 @@ void InspectPage::open(const std::filesystem::path& recording) {
       next, [recording] { return tr("inspect %1").arg(text_of(recording.filename())); }, -1);
 }
 
+bool InspectPage::take_files(const DroppedFiles& dropped) {
+  const bool is_recording = dropped.kind == FileKind::kFolder || dropped.kind == FileKind::kVideo;
+  if (is_recording) open(dropped.files.front());
+  return is_recording;
+}
+
 void InspectPage::restore(const InspectOptions& options, std::size_t frame) {
   last_frame_[options.recording] = frame;
   InspectOptions next = options;
@@ -337,6 +345,14 @@ ShownForce InspectPage::shown_force() const {
   shown.why_none = no_force_reason(session_.status().finger);
   shown.has_model = has_force_model(session_.status().finger);
   return shown;
+}
+
+void InspectPage::inspect_all() {
+  InspectionOrder order;
+  order.finger = session_.status().finger.folder;
+  order.inputs = {options_.recording};
+  order.recipe = options_.recipe;
+  show_dialog(*new InspectionResults(std::move(order), this));
 }
 
 // Opening and saving files in the page Inspect.

@@ -33,6 +33,7 @@ class InspectPage : public Page {
   [[nodiscard]] QString menu_text() const override { return tr("&Inspect"); }
 
   void add_problems(std::vector<Problem>& problems) override;
+  [[nodiscard]] bool take_files(const DroppedFiles& dropped) override;
   void reload() override { inspection_.measure_again(); }
 
   /// A video or a folder of images. Opens it again if it is open already.
@@ -79,6 +80,7 @@ class InspectPage : public Page {
   void show_recording();
   void choose_second();
   void choose_pose(bool is_second);
+  void inspect_all();
   void choose_file(const QString& ending);
   void go_live();
   void follow_live();

@@ -1,0 +1,123 @@
+// Inspects a recording by a recipe that was made in the window or written by hand.
+#include "app/commands/commands.h"
+#include "app/console/command_names.h"
+#include "app/console/flags.h"
+#include "calibration/live/inspect_recording.h"
+#include "core/base/atomic_file.h"
+
+#include <memory>
+
+#include <fmt/format.h>
+
+namespace alltact {
+namespace {
+
+struct InspectCommand {
+  InspectionOrder order;
+  Path recipe, output;
+};
+
+Console::Json number(const std::optional<double>& value) {
+  return value ? Console::Json(*value) : Console::Json();
+}
+
+Console::Json reading_json(const RecipeReading& reading, const ReadingSummary& summary) {
+  Console::Json json{{"reading", reading.name},        {"what", to_string(reading.what)},
+                     {"unit", unit_of(reading.what)},  {"measured", summary.measured},
+                     {"passed", summary.passed},       {"failed", summary.failed},
+                     {"undecided", summary.undecided}, {"mean", number(summary.mean)},
+                     {"sd", number(summary.sd)},       {"min", number(summary.min)},
+                     {"max", number(summary.max)}};
+  if (summary.trend) {
+    json["trend"] = summary.trend->value;
+    json["trend_sd"] = summary.trend->sd;
+    json["trend_per"] = summary.is_trend_per_second ? "s" : "frame";
+  }
+  return json;
+}
+
+void print_log(const InspectionLog& log, Console& console) {
+  const auto text = [](const std::optional<double>& value) {
+    return value ? fmt::format("{:.4f}", *value) : std::string("-");
+  };
+  console.say(fmt::format("{:<24} {:<10} {:>5} {:>10} {:>9} {:>10} {:>10} {:>6} {:>6} {:>9}",
+                          "reading", "what", "unit", "mean", "sd", "min", "max", "pass", "fail",
+                          "undecided"));
+  Console::Json rows = Console::Json::array();
+  const auto summaries = log.summaries();
+  for (std::size_t i = 0; i < summaries.size(); ++i) {
+    const RecipeReading& reading = log.recipe.readings[i];
+    const ReadingSummary& one = summaries[i];
+    console.say(fmt::format("{:<24} {:<10} {:>5} {:>10} {:>9} {:>10} {:>10} {:>6} {:>6} {:>9}",
+                            reading.name, to_string(reading.what), unit_of(reading.what),
+                            text(one.mean), text(one.sd), text(one.min), text(one.max), one.passed,
+                            one.failed, one.undecided));
+    if (one.measured < log.rows.size())
+      console.warn(fmt::format("{}: {} of {} frames could not be read; the log has the reasons.",
+                               reading.name, log.rows.size() - one.measured, log.rows.size()));
+    rows.push_back(reading_json(reading, one));
+  }
+  console.answer()["frames"] = log.rows.size();
+  console.answer()["readings"] = std::move(rows);
+  console.answer()["verdict"] = to_string(log.verdict());
+}
+
+/// Error: a reading is outside of its tolerance, or it is not certain that all are inside.
+Status run_inspect(const InspectCommand& command, Console& console) {
+  const auto recipe = InspectionRecipe::load(command.recipe);
+  if (!recipe) return recipe.error();
+  InspectionOrder order = command.order;
+  order.recipe = *recipe;
+  set_opencv_threads(1);  // each thread has frames of its own
+  const auto log = inspect_recording(order, console.job());
+  if (!log) return log.error();
+  for (const Message& remark : log->remarks) console.warn(fmt::format("Warning: {}", remark));
+  const Status written = write_file_atomically(command.output, log->to_csv());
+  if (!written) return written;
+  print_log(*log, console);
+  console.answer()["log"] = command.output.string();
+  console.say(fmt::format("{} frames; readings in {}", log->rows.size(), command.output.string()));
+  switch (log->verdict()) {
+    case Conformity::kFail:
+      return Error{en::say("readings are outside of their tolerance"), command.output, ""};
+    case Conformity::kUndecided:
+    case Conformity::kNotMeasured:
+      return Error{en::say("it is not certain that all readings are within their tolerances"),
+                   command.output, en::say("a reading with a smaller uncertainty")};
+    case Conformity::kPass:
+      console.say("All readings are within their tolerances with 95 % certainty.");
+      return {};
+    case Conformity::kNoTolerance:
+      break;
+  }
+  return {};
+}
+
+}  // namespace
+
+void add_inspect(CLI::App& program, Chosen& chosen) {
+  auto options = std::make_shared<InspectCommand>();
+  CLI::App* command = add_command(program, "inspect");
+  command->add_option("FINGER", options->order.finger, "The finger's folder")->required();
+  command->add_option("INPUT", options->order.inputs, "Images, folders of them, a video or a scene")
+      ->required();
+  command
+      ->add_option("--recipe", options->recipe,
+                   "Readings and their tolerances, as the page Inspect saves them")
+      ->type_name("RECIPE.yaml")
+      ->required();
+  command
+      ->add_option("-o,--output", options->output,
+                   "Table to write: one line for each frame and reading")
+      ->type_name("LOG.csv")
+      ->required();
+  command
+      ->add_option("--threads", options->order.threads,
+                   "Threads (default: all cores); the results do not depend on it")
+      ->type_name("N")
+      ->transform(typed_integer(1, 64));
+  command->callback(
+      [=, &chosen] { chosen = [=](Console& console) { return run_inspect(*options, console); }; });
+}
+
+}  // namespace alltact

@@ -1,0 +1,142 @@
+// An inspection recipe made in the window, its decisions, its table and its report; the command
+// line gives the same bytes.
+#include "app/studio/session.h"
+#include "tests/studio/studio_rig.h"
+#include "tests/support/program.h"
+#include "widgets/inspect/inspection_results.h"
+#include "widgets/inspect/recipe_box.h"
+#include "widgets/pages/inspect_page.h"
+
+#include <QTableWidget>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace alltact::test {
+namespace {
+
+using testing::HasSubstr;
+
+class Recipe : public testing::Test {
+ protected:
+  Recipe() : studio_(simulated()) { studio_.window().go_to("inspect"); }
+  InspectPage& page() { return *studio_.window().findChild<InspectPage*>(); }
+  /// A box around the deepest contact of the recording.
+  bool choose_points() {
+    page().open(MadeFingers::get().touched_pictures());
+    const auto is_ready = [this] {
+      const auto& frame = page().inspection().frame();
+      return frame && !page().inspection().is_busy() && frame->result.depth.has_value() &&
+             !page().options().recording.empty();
+    };
+    if (!wait_until(is_ready)) return false;
+    studio_.click("Deepest");
+    const InspectedFrame& frame = *page().inspection().frame();
+    const cv::Point2d deepest = *pixel_of(frame, page().options().a);
+    InspectOptions box = page().options();
+    box.a = position_of(frame, deepest - cv::Point2d(14, 26));
+    box.b = position_of(frame, deepest + cv::Point2d(14, 26));
+    page().restore(box, frame.number);
+    return true;
+  }
+  void add(int row) {
+    auto* table = studio_.find<QTableWidget>("Measured between the points");
+    table->selectRow(row);
+    studio_.click("Add to recipe");
+  }
+  QTreeWidget& list() { return *studio_.find<QTreeWidget>("Readings of the recipe"); }
+  void set_limits(int row, double lower, double upper) {
+    list().setCurrentItem(list().topLevelItem(row));
+    studio_.click("Name, tolerance…");
+    auto* dialog = studio_.window().findChild<ReadingDialog*>();
+    ASSERT_NE(dialog, nullptr);
+    const auto fields = dialog->findChildren<NumberField*>();
+    ASSERT_EQ(fields.size(), 2);
+    fields[0]->setValue(lower);
+    fields[1]->setValue(upper);
+    studio_.click("OK");
+    ASSERT_TRUE(
+        wait_until([&] { return studio_.window().findChild<ReadingDialog*>() == nullptr; }));
+  }
+  Studio studio_;
+};
+
+TEST_F(Recipe, MadeInTheWindowGivesTheSameBytesAsTheCommandLine) {
+  ASSERT_TRUE(choose_points());
+  add(1);  // radius
+  ASSERT_EQ(page().options().recipe.readings.size(), 1U);
+  add(3);  // volume
+  ASSERT_EQ(page().options().recipe.readings.size(), 2U);
+  add(1);
+  ASSERT_EQ(page().options().recipe.readings.size(), 3U);
+  EXPECT_EQ(page().options().recipe.readings[2].name, "Ball's radius 2");
+  set_limits(0, 3, 5);
+  EXPECT_EQ(list().topLevelItem(0)->text(2), "pass") << "the scene's ball has 4 mm";
+  EXPECT_EQ(list().topLevelItem(0)->toolTip(2), "Tolerance: 3.000 to 5.000 mm");
+  QTest::keyClick(&list(), Qt::Key_Delete);
+  ASSERT_EQ(page().options().recipe.readings.size(), 2U) << "the selected one";
+  EXPECT_EQ(studio_.window().undo_stack().undoText(), "remove a reading from the recipe");
+  studio_.window().undo_stack().undo();
+  ASSERT_EQ(page().options().recipe.readings.size(), 3U);
+  EXPECT_EQ(*page().options().recipe.readings[0].lower, 3);
+
+  studio_.click("Inspect all frames…");
+  auto* results = studio_.window().findChild<InspectionResults*>();
+  ASSERT_NE(results, nullptr);
+  ASSERT_TRUE(wait_until([&] { return results->log() != nullptr; }, 60000));
+  EXPECT_EQ(results->log()->rows.size(), 6U);
+  EXPECT_EQ(results->log()->verdict(), Conformity::kPass);
+  const TemporaryFolder& folder = studio_.folder();
+  results->save_table(folder / "window.csv");
+  results->save_report(folder / "report.pdf");
+  EXPECT_THAT(text_of(folder / "report.pdf"), testing::StartsWith("%PDF"));
+  must(page().options().recipe.save(folder / "recipe.yaml"));
+  const ProgramRun run = run_alltact({"inspect", MadeFingers::get().calibrated().string(),
+                                      MadeFingers::get().touched_pictures().string(), "--recipe",
+                                      (folder / "recipe.yaml").string(), "-o",
+                                      (folder / "program.csv").string(), "--threads", "2"});
+  EXPECT_EQ(run.status, 0) << run.errors;
+  EXPECT_THAT(run.output, HasSubstr("within their tolerances with 95 % certainty"));
+  EXPECT_EQ(text_of(folder / "window.csv"), text_of(folder / "program.csv"));
+  for (auto* scrolled : studio_.window().findChildren<QScrollArea*>())
+    if (scrolled->isAncestorOf(&list())) scrolled->ensureWidgetVisible(&list(), 0, 300);
+  ProgramAppearance appearance;
+  for (const char* language : {"en", "de", "zh_CN"}) {
+    appearance.apply({Theme::kLight, QLatin1String(language)});
+    QTest::qWait(200);
+    ASSERT_TRUE(results->grab().save(
+        QStringLiteral(ALLTACT_SCREENS "/inspection_%1.png").arg(QLatin1String(language))));
+    ASSERT_TRUE(studio_.window().grab().save(
+        QStringLiteral(ALLTACT_SCREENS "/recipe_%1.png").arg(QLatin1String(language))));
+  }
+  appearance.apply({Theme::kLight, QStringLiteral("en")});
+
+  // A tolerance that the ball is outside of.
+  write_text(folder / "tight.yaml", [&] {
+    InspectionRecipe tight = page().options().recipe;
+    tight.readings.front().upper = 3.2;
+    return tight.to_yaml();
+  }());
+  const ProgramRun failed =
+      run_alltact({"inspect", MadeFingers::get().calibrated().string(),
+                   MadeFingers::get().touched_pictures().string(), "--recipe",
+                   (folder / "tight.yaml").string(), "-o", (folder / "tight.csv").string()});
+  EXPECT_EQ(failed.status, 1);
+  EXPECT_THAT(failed.errors, HasSubstr("outside of their tolerance"));
+  EXPECT_THAT(text_of(folder / "tight.csv"), HasSubstr(",fail,"));
+}
+
+TEST_F(Recipe, IsPartOfTheSession) {
+  ASSERT_TRUE(choose_points());
+  add(6);
+  const InspectionRecipe recipe = page().options().recipe;
+  ASSERT_EQ(recipe.readings.size(), 1U);
+  SessionState state;
+  state.inspect.options = page().options();
+  const auto back = session_from_json(session_to_json(state), "session.json");
+  ASSERT_TRUE(back);
+  EXPECT_EQ(back->inspect.options.recipe, recipe);
+}
+
+}  // namespace
+}  // namespace alltact::test

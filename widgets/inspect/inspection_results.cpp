@@ -1,0 +1,330 @@
+#include "widgets/inspect/inspection_results.h"
+
+#include "core/base/atomic_file.h"
+#include "core/base/program.h"
+#include "core/base/utc_time.h"
+#include "widgets/inspect/point_readings.h"
+#include "widgets/inspect/recipe_box.h"
+#include "widgets/language.h"
+#include "widgets/plots/custom_plot.h"
+#include "widgets/report/document.h"
+#include "widgets/theme.h"
+
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+namespace alltact {
+namespace {
+
+constexpr int kResultProblemsHeight_px = 40, kReadingPlotHeight_px = 240, kFailSymbol_px = 16;
+
+QString number_or_dash(const std::optional<double>& value, int digits) {
+  return value ? plain_number(*value, digits) : RecipeBox::tr("–");
+}
+
+QString inspection_verdict_text(const InspectionLog& log) {
+  const int frames = static_cast<int>(log.rows.size());
+  switch (log.verdict()) {
+    case Conformity::kPass:
+      return InspectionResults::tr(
+          "Pass: all readings of %n frame(s) are within their tolerances with 95 % certainty.",
+          nullptr, frames);
+    case Conformity::kFail:
+      return InspectionResults::tr("Fail: readings are outside of their tolerance.");
+    case Conformity::kUndecided:
+      return InspectionResults::tr(
+          "Undecided: readings are closer to a limit than their uncertainty allows to decide.");
+    case Conformity::kNotMeasured:
+      return InspectionResults::tr("Undecided: some frames could not be read.");
+    case Conformity::kNoTolerance:
+      break;
+  }
+  return InspectionResults::tr("%n frame(s), no tolerances.", nullptr, frames);
+}
+
+QString trend_text(const ReadingSummary& summary, Measurand what) {
+  if (!summary.trend) return RecipeBox::tr("–");
+  const QString unit = unit_text(what);
+  return QStringLiteral("%1 %2").arg(
+      number_and_sd(summary.trend->value, summary.trend->sd, decimals_of(what) + 1),
+      summary.is_trend_per_second ? InspectionResults::tr("%1/s").arg(unit)
+                                  : InspectionResults::tr("%1/frame").arg(unit));
+}
+
+}  // namespace
+
+ReadingSeries series_of(const InspectionLog& log, std::size_t reading) {
+  const RecipeReading& of = log.recipe.readings[reading];
+  ReadingSeries series;
+  series.lower = of.lower;
+  series.upper = of.upper;
+  series.label = QStringLiteral("%1 (%2)").arg(QString::fromStdString(of.name), unit_text(of.what));
+  series.is_time = std::all_of(log.rows.begin(), log.rows.end(),
+                               [](const InspectedRow& row) { return row.time_s.has_value(); });
+  const double begin_s =
+      series.is_time && !log.rows.empty() ? log.rows.front().time_s.value_or(0) : 0;
+  for (const InspectedRow& row : log.rows) {
+    const auto& measured = row.readings[reading].reading.measured;
+    if (!measured) continue;
+    series.x.push_back(series.is_time ? *row.time_s - begin_s : static_cast<double>(row.index + 1));
+    series.values.push_back(measured->value);
+    series.sd.push_back(std::isfinite(measured->sd) ? measured->sd : 0);
+  }
+  return series;
+}
+
+void ReadingPlot::set_series(ReadingSeries series) {
+  series_ = std::move(series);
+  rebuild();
+}
+
+QString ReadingPlot::empty_text() const { return tr("No value was measured"); }
+
+bool ReadingPlot::draw() {
+  const auto& [x, values, sd, lower, upper, is_time, label] = series_;
+  if (x.empty()) return false;
+  double low = values.front(), high = values.front();
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    low = std::min(low, values[i] - sd[i]);
+    high = std::max(high, values[i] + sd[i]);
+  }
+  for (const auto& limit : {lower, upper})
+    if (limit) low = std::min(low, *limit), high = std::max(high, *limit);
+  const double room = std::max(0.08 * (high - low), 1e-6);
+  const double side = std::max(0.02 * (x.back() - x.front()), is_time ? 0.01 : 0.5);
+  chart().xAxis->setRange(x.front() - side, x.back() + side);
+  chart().yAxis->setRange(low - room, high + room);
+  for (const auto& limit : {lower, upper})
+    if (limit) {
+      auto* line = chart().addGraph();
+      line->addData(x.front() - side, *limit);
+      line->addData(x.back() + side, *limit);
+      line->setPen(QPen(meaning_colour(Meaning::kBad, palette()), 1.5, Qt::DashLine));
+      line->removeFromLegend();
+    }
+  auto* graph = chart().addGraph();
+  graph->setLineStyle(x.size() > 1 ? QCPGraph::lsLine : QCPGraph::lsNone);
+  graph->setPen(QPen(series_colour(0, palette()), 1.5));
+  graph->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, series_colour(0, palette()), 5));
+  auto* bars = new QCPErrorBars(chart().xAxis, chart().yAxis);
+  bars->setDataPlottable(graph);
+  bars->setPen(QPen(series_colour(0, palette()), 1));
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    graph->addData(x[i], values[i]);
+    bars->addData(sd[i]);
+  }
+  chart().xAxis->setLabel(is_time ? tr("Time (s)") : tr("Frame"));
+  chart().yAxis->setLabel(label);
+  return true;
+}
+
+InspectionResults::InspectionResults(InspectionOrder order, QWidget* parent)
+    : FittedDialog(parent),
+      order_(std::move(order)),
+      verdict_(new ReservedText(2)),
+      table_(new QTreeWidget),
+      plot_(new ReadingPlot),
+      bar_(new QProgressBar),
+      problems_(new ProblemList),
+      stop_(new QPushButton),
+      save_table_(new QPushButton),
+      save_report_(new QPushButton),
+      buttons_(new QDialogButtonBox(QDialogButtonBox::Close)) {
+  table_->setRootIsDecorated(false);
+  table_->setUniformRowHeights(true);
+  table_->setAllColumnsShowFocus(true);
+  plot_->setMinimumHeight(kReadingPlotHeight_px);
+  problems_->show_in_full();
+  problems_->setMinimumHeight(kResultProblemsHeight_px);
+  for (QWidget* shown : std::initializer_list<QWidget*>{bar_, stop_}) reserve_room(*shown);
+  auto* column = new QVBoxLayout(this);
+  auto* running = new QHBoxLayout;
+  running->addWidget(bar_, 1);
+  running->addWidget(stop_);
+  add_widgets(*column, {verdict_});
+  column->addLayout(running);
+  column->addWidget(table_);
+  column->addWidget(plot_, 1);
+  column->addWidget(problems_);
+  auto* foot = new QHBoxLayout;
+  add_widgets(*foot, {save_table_, save_report_});
+  foot->addStretch();
+  foot->addWidget(buttons_);
+  column->addLayout(foot);
+  for (QPushButton* button : {save_table_, save_report_, stop_}) button->setAutoDefault(false);
+  connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  connect(stop_, &QPushButton::clicked, &work_, &BackgroundWork::stop);
+  connect(table_, &QTreeWidget::currentItemChanged, this, &InspectionResults::show_plot);
+  connect(save_table_, &QPushButton::clicked, this,
+          [this] { choose_file(QStringLiteral("csv"), &InspectionResults::save_table); });
+  connect(save_report_, &QPushButton::clicked, this,
+          [this] { choose_file(QStringLiteral("pdf"), &InspectionResults::save_report); });
+  connect(&work_, &BackgroundWork::progressed, this,
+          [this] { bar_->setValue(static_cast<int>(100 * work_.fraction())); });
+  connect(&work_, &BackgroundWork::finished, this, &InspectionResults::show_log);
+  resize(960, 640);
+  work_.start([this, order = order_](const Job& job) {
+    auto log = inspect_recording(order, job);
+    return std::function<void()>([this, log = std::move(log)] {
+      if (!log) return problems_->set_problems({Problem::of(log.error())});
+      log_ = std::make_shared<const InspectionLog>(*log);
+      std::vector<Problem> remarks;
+      for (const Message& remark : log_->remarks)
+        remarks.push_back({Meaning::kDoubtful, in_window_language(remark)});
+      problems_->set_problems(std::move(remarks));
+    });
+  });
+  say([this] { name_parts(); });
+}
+
+void InspectionResults::name_parts() {
+  setWindowTitle(tr("Inspection"));
+  table_->setAccessibleName(tr("Readings of all frames"));
+  table_->setHeaderLabels({tr("Reading"), tr("Mean"), tr("Spread"), tr("Smallest"), tr("Largest"),
+                           tr("Trend"), tr("Pass"), tr("Fail"), tr("Undecided")});
+  bar_->setAccessibleName(tr("Progress of the inspection"));
+  plot_->setAccessibleName(tr("The selected reading over the frames"));
+  stop_->setText(tr("&Stop"));
+  save_table_->setText(tr("Save &table (CSV)…"));
+  save_report_->setText(tr("Save &report (PDF)…"));
+  buttons_->button(QDialogButtonBox::Close)->setText(tr("&Close"));
+  show_log();
+}
+
+void InspectionResults::show_log() {
+  for (QWidget* widget : std::initializer_list<QWidget*>{bar_, stop_})
+    widget->setVisible(work_.is_running());
+  for (QPushButton* button : {save_table_, save_report_}) button->setEnabled(log_ != nullptr);
+  table_->clear();
+  if (!log_) {
+    verdict_->setText(work_.is_running() ? tr("The frames are being measured…")
+                                         : tr("Nothing was inspected."));
+    return show_plot();
+  }
+  verdict_->setText(inspection_verdict_text(*log_));
+  const auto summaries = log_->summaries();
+  for (std::size_t i = 0; i < summaries.size(); ++i) {
+    const ReadingSummary& one = summaries[i];
+    const RecipeReading& reading = log_->recipe.readings[i];
+    const int digits = decimals_of(reading.what);
+    auto* row = new QTreeWidgetItem(
+        table_, {QStringLiteral("%1, %2").arg(QString::fromStdString(reading.name),
+                                              unit_text(reading.what)),
+                 number_or_dash(one.mean, digits), number_or_dash(one.sd, digits),
+                 number_or_dash(one.min, digits), number_or_dash(one.max, digits),
+                 trend_text(one, reading.what), plain_number(static_cast<double>(one.passed), 0),
+                 plain_number(static_cast<double>(one.failed), 0),
+                 plain_number(static_cast<double>(one.undecided), 0)});
+    for (int k = 1; k < table_->columnCount(); ++k)
+      row->setTextAlignment(k, Qt::AlignRight | Qt::AlignVCenter);
+    if (one.failed > 0)
+      row->setIcon(
+          0, QIcon(symbol(meaning_symbol(Meaning::kBad), meaning_colour(Meaning::kBad, palette()),
+                          kFailSymbol_px, devicePixelRatioF())));
+  }
+  for (int i = 0; i < table_->columnCount(); ++i) table_->resizeColumnToContents(i);
+  const int height_px = std::max(18, table_->sizeHintForRow(0));
+  table_->setFixedHeight(table_->header()->sizeHint().height() + 6 +
+                         height_px * std::clamp(table_->topLevelItemCount(), 2, 8));
+  if (table_->topLevelItemCount() > 0) table_->setCurrentItem(table_->topLevelItem(0));
+  show_plot();
+}
+
+void InspectionResults::show_plot() {
+  const int at = table_->indexOfTopLevelItem(table_->currentItem());
+  plot_->set_series(log_ && at >= 0 ? series_of(*log_, static_cast<std::size_t>(at))
+                                    : ReadingSeries());
+}
+
+void InspectionResults::choose_file(
+    const QString& ending, void (InspectionResults::*save)(const std::filesystem::path& file)) {
+  auto* dialog = new QFileDialog(this, tr("Save the inspection"));
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setDefaultSuffix(ending);
+  dialog->setNameFilter(QStringLiteral("*.") + ending);
+  begin_in_last_folder(*dialog, FilesOf::kExports);
+  connect(dialog, &QFileDialog::fileSelected, this,
+          [this, save](const QString& file) { (this->*save)(file.toStdString()); });
+  show_dialog(*dialog);
+}
+
+void InspectionResults::show_saved(const Status& status, const std::filesystem::path& file) {
+  problems_->set_problems(
+      {status
+           ? Problem{Meaning::kGood, tr("Written: %1.").arg(QString::fromStdString(file.string()))}
+           : Problem::of(status.error())});
+}
+
+void InspectionResults::save_table(const std::filesystem::path& file) {
+  if (log_) show_saved(write_file_atomically(file, log_->to_csv()), file);
+}
+
+void InspectionResults::save_report(const std::filesystem::path& file) {
+  if (!log_) return;
+  const auto pdf = inspection_report_pdf(*log_, order_, utc_now());
+  show_saved(pdf ? write_file_atomically(file, *pdf) : Status(pdf.error()), file);
+}
+
+Result<std::string> inspection_report_pdf(const InspectionLog& log, const InspectionOrder& order,
+                                          const std::string& date) {
+  const EnglishScope english;
+  const auto digits_of = [](const RecipeReading& reading) { return decimals_of(reading.what); };
+  Document document(text("Inspection report"));
+  document.heading(text("Inspection report"));
+  QStringList inputs;
+  for (const auto& input : order.inputs) inputs << as_text(input.string());
+  document.table({},
+                 {{{text("Recipe")}, {as_text(log.recipe.name)}},
+                  {{text("Finger")}, {as_text(order.finger.string())}},
+                  {{text("Recording")}, {inputs.join(text(", "))}},
+                  {{text("Date")}, {when(as_text(date))}},
+                  {{text("Program")}, {as_text("AllTact " + program_version())}}},
+                 {false, false});
+  const Meaning meaning = meaning_of(log.verdict());
+  document.box(inspection_verdict_text(log),
+               text("Decision by ISO 14253-1: a reading passes or fails where it is inside or "
+                    "outside of its limits by 1.645 standard deviations or more."),
+               meaning_colour(meaning, QPalette(Qt::white)));
+  std::vector<Document::Row> rows;
+  const auto summaries = log.summaries();
+  for (std::size_t i = 0; i < summaries.size(); ++i) {
+    const RecipeReading& reading = log.recipe.readings[i];
+    const ReadingSummary& one = summaries[i];
+    const auto cell = [&](const std::optional<double>& value) {
+      return Document::Cell{value ? mm(*value, digits_of(reading)) : text("–")};
+    };
+    rows.push_back({{as_text(reading.name)},
+                    {unit_text(reading.what)},
+                    {tolerance_text(reading)},
+                    cell(one.mean),
+                    cell(one.sd),
+                    cell(one.min),
+                    cell(one.max),
+                    {trend_text(one, reading.what)},
+                    {QString::number(one.passed)},
+                    {QString::number(one.failed)},
+                    {QString::number(one.undecided)}});
+  }
+  document.table({text("Reading"), text("Unit"), text("Tolerance"), text("Mean"), text("Spread"),
+                  text("Smallest"), text("Largest"), text("Trend"), text("Pass"), text("Fail"),
+                  text("Undecided")},
+                 rows, {false, false, false, true, true, true, true, true, true, true, true});
+  constexpr QSize kFigure(660, 260);
+  constexpr double kFigureScale = 2;
+  for (std::size_t i = 0; i < summaries.size(); ++i) {
+    ReadingPlot plot;
+    plot.setPalette(QPalette(Qt::white));
+    plot.set_series(series_of(log, i));
+    document.figure(plot.image(kFigure, kFigureScale), kFigure.width(),
+                    as_text(log.recipe.readings[i].name));
+  }
+  document.paragraph(text("Inspected by: ______________________________   Date: ____________"));
+  document.paragraph(text("Approved by:  ______________________________   Date: ____________"));
+  return document.pdf(date);
+}
+
+}  // namespace alltact
