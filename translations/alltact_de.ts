@@ -418,6 +418,18 @@
 <context>
     <name>alltact::CheckPage</name>
     <message>
+        <source>Operator</source>
+        <translation>Wer misst</translation>
+    </message>
+    <message>
+        <source>O&amp;perator</source>
+        <translation>&amp;Wer misst</translation>
+    </message>
+    <message>
+        <source>Stored with the check: it separates operators from repetitions in a gage study.</source>
+        <translation>Wird mit der Prüfung gespeichert: trennt in einer Messsystemanalyse Prüfer und Wiederholung.</translation>
+    </message>
+    <message>
         <source>Three presses</source>
         <translation>Drei Eindrücke</translation>
     </message>
@@ -510,6 +522,37 @@
     <message>
         <source>A check needs %1 presses at different positions: press again.</source>
         <translation>Eine Prüfung braucht %1 Eindrücke an verschiedenen Positionen: Drücken Sie noch einmal.</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::CommandSearch</name>
+    <message>
+        <source>Find a command</source>
+        <translation>Befehl suchen</translation>
+    </message>
+    <message>
+        <source>Words of the command</source>
+        <translation>Wörter des Befehls</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>Befehle</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Befehl</translation>
+    </message>
+    <message>
+        <source>Menu or page</source>
+        <translation>Menü oder Seite</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>this page</source>
+        <translation>diese Seite</translation>
     </message>
 </context>
 <context>
@@ -1160,6 +1203,14 @@
 <context>
     <name>alltact::FingerListDialog</name>
     <message>
+        <source>&amp;Gage R&amp;&amp;R…</source>
+        <translation>&amp;Gage R&amp;&amp;R…</translation>
+    </message>
+    <message>
+        <source>Compares the checks of the selected fingers by their operators</source>
+        <translation>Vergleicht die Prüfungen der gewählten Finger nach ihren Prüfern</translation>
+    </message>
+    <message>
         <source>All fingers</source>
         <translation>Alle Finger</translation>
     </message>
@@ -1497,6 +1548,177 @@
     </message>
 </context>
 <context>
+    <name>alltact::GageDialog</name>
+    <message>
+        <source>Table of readings</source>
+        <translation>Tabelle der Messwerte</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv *.txt *.tsv)</source>
+        <translation>Tabellen (*.csv *.txt *.tsv)</translation>
+    </message>
+    <message>
+        <source>Gage R&amp;R</source>
+        <translation>Gage R&amp;R</translation>
+    </message>
+    <message>
+        <source>How much of the variation of measured depths comes from measuring: from operators, and from repetitions. A reading is the mean depth error of one check; each operator checks each finger two times or more.</source>
+        <translation>Wie viel der Streuung gemessener Tiefen vom Messen kommt: von den Prüfern und vom Wiederholen. Ein Messwert ist die mittlere Tiefenabweichung einer Prüfung; jeder Prüfer prüft jeden Finger zweimal oder öfter.</translation>
+    </message>
+    <message>
+        <source>&amp;Tolerance</source>
+        <translation>&amp;Toleranz</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Width of the tolerance that is measured with the fingers</source>
+        <translation>Breite der Toleranz, die mit den Fingern gemessen wird</translation>
+    </message>
+    <message>
+        <source>Variation by source</source>
+        <translation>Streuung nach Ursache</translation>
+    </message>
+    <message>
+        <source>Analysis of variance</source>
+        <translation>Varianzanalyse</translation>
+    </message>
+    <message>
+        <source>&amp;From a table…</source>
+        <translation>&amp;Aus einer Tabelle…</translation>
+    </message>
+    <message>
+        <source>With the columns part, operator and value_mm</source>
+        <translation>Mit den Spalten part, operator und value_mm</translation>
+    </message>
+    <message>
+        <source>C&amp;opy</source>
+        <translation>&amp;Kopieren</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Schließen</translation>
+    </message>
+    <message>
+        <source>Reading the checks…</source>
+        <translation>Prüfungen werden gelesen…</translation>
+    </message>
+    <message>
+        <source>No result.</source>
+        <translation>Kein Ergebnis.</translation>
+    </message>
+    <message>
+        <source>Variation</source>
+        <translation>Streuung</translation>
+    </message>
+    <message>
+        <source>SD, mm</source>
+        <translation>Std.-Abw., mm</translation>
+    </message>
+    <message>
+        <source>95 %, mm</source>
+        <translation>95 %, mm</translation>
+    </message>
+    <message>
+        <source>% of total</source>
+        <translation>% der Streuung</translation>
+    </message>
+    <message>
+        <source>% of tolerance</source>
+        <translation>% der Toleranz</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>Repeatability</source>
+        <translation>Wiederholbarkeit</translation>
+    </message>
+    <message>
+        <source>Reproducibility</source>
+        <translation>Vergleichbarkeit</translation>
+    </message>
+    <message>
+        <source>Operators</source>
+        <translation>Prüfer</translation>
+    </message>
+    <message>
+        <source>Parts × operators</source>
+        <translation>Teile × Prüfer</translation>
+    </message>
+    <message>
+        <source>Parts × operators (pooled)</source>
+        <translation>Teile × Prüfer (zusammengefasst)</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>Teile</translation>
+    </message>
+    <message>
+        <source>Total</source>
+        <translation>Gesamt</translation>
+    </message>
+    <message>
+        <source>Repetitions</source>
+        <translation>Wiederholungen</translation>
+    </message>
+    <message>
+        <source>df</source>
+        <translation>FG</translation>
+    </message>
+    <message>
+        <source>SS</source>
+        <translation>QS</translation>
+    </message>
+    <message>
+        <source>MS</source>
+        <translation>MQ</translation>
+    </message>
+    <message>
+        <source>F</source>
+        <translation>F</translation>
+    </message>
+    <message>
+        <source>p</source>
+        <translation>p</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n part(s)</source>
+        <translation>
+            <numerusform>%n Teil</numerusform>
+            <numerusform>%n Teile</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n operator(s)</source>
+        <translation>
+            <numerusform>%n Prüfer</numerusform>
+            <numerusform>%n Prüfer</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n repeat(s)</source>
+        <translation>
+            <numerusform>%n Wiederholung</numerusform>
+            <numerusform>%n Wiederholungen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n distinct categorie(s)</source>
+        <translation>
+            <numerusform>%n unterscheidbare Klasse</numerusform>
+            <numerusform>%n unterscheidbare Klassen</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>alltact::GripperDialog</name>
     <message>
         <source>%1 in the gripper</source>
@@ -1590,8 +1812,8 @@
         <translation>Der Eindruck wird aufgenommen, sobald Kugel und Finger stillgehalten werden.</translation>
     </message>
     <message>
-        <source>Not taken: ball and finger were not held still. Hold them still for half a second.</source>
-        <translation>Nicht aufgenommen: Kugel und Finger wurden nicht stillgehalten. Halten Sie beide eine halbe Sekunde lang still.</translation>
+        <source>Not taken: hold ball and finger still for half a second.</source>
+        <translation>Nicht aufgenommen: Halten Sie Kugel und Finger eine halbe Sekunde still.</translation>
     </message>
 </context>
 <context>
@@ -1990,6 +2212,127 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>Cross-section</source>
         <translation>Querschnitt</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::InspectionResults</name>
+    <message>
+        <source>Fail: readings are outside of their tolerance.</source>
+        <translation>Nicht bestanden: Messwerte liegen außerhalb ihrer Toleranz.</translation>
+    </message>
+    <message>
+        <source>Undecided: readings are closer to a limit than their uncertainty allows to decide.</source>
+        <translation>Unentschieden: Messwerte liegen näher an einer Grenze, als ihre Unsicherheit zu entscheiden erlaubt.</translation>
+    </message>
+    <message>
+        <source>Undecided: some frames could not be read.</source>
+        <translation>Unentschieden: Einige Bilder konnten nicht gemessen werden.</translation>
+    </message>
+    <message>
+        <source>%1/s</source>
+        <translation>%1/s</translation>
+    </message>
+    <message>
+        <source>%1/frame</source>
+        <translation>%1/Bild</translation>
+    </message>
+    <message>
+        <source>Inspection</source>
+        <translation>Auswertung</translation>
+    </message>
+    <message>
+        <source>Readings of all frames</source>
+        <translation>Messungen aller Bilder</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>Messung</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>Spread</source>
+        <translation>Streuung</translation>
+    </message>
+    <message>
+        <source>Smallest</source>
+        <translation>Kleinster</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>Größter</translation>
+    </message>
+    <message>
+        <source>Trend</source>
+        <translation>Trend</translation>
+    </message>
+    <message>
+        <source>Pass</source>
+        <translation>Bestanden</translation>
+    </message>
+    <message>
+        <source>Fail</source>
+        <translation>Nicht bestanden</translation>
+    </message>
+    <message>
+        <source>Undecided</source>
+        <translation>Unentschieden</translation>
+    </message>
+    <message>
+        <source>Progress of the inspection</source>
+        <translation>Fortschritt der Auswertung</translation>
+    </message>
+    <message>
+        <source>The selected reading over the frames</source>
+        <translation>Die gewählte Messung über den Bildern</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Stopp</translation>
+    </message>
+    <message>
+        <source>Save &amp;table (CSV)…</source>
+        <translation>&amp;Tabelle speichern (CSV)…</translation>
+    </message>
+    <message>
+        <source>Save &amp;report (PDF)…</source>
+        <translation>&amp;Bericht speichern (PDF)…</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>S&amp;chließen</translation>
+    </message>
+    <message>
+        <source>The frames are being measured…</source>
+        <translation>Die Bilder werden gemessen…</translation>
+    </message>
+    <message>
+        <source>Nothing was inspected.</source>
+        <translation>Es wurde nichts ausgewertet.</translation>
+    </message>
+    <message>
+        <source>Save the inspection</source>
+        <translation>Auswertung speichern</translation>
+    </message>
+    <message>
+        <source>Written: %1.</source>
+        <translation>Geschrieben: %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Pass: all readings of %n frame(s) are within their tolerances with 95 % certainty.</source>
+        <translation>
+            <numerusform>Bestanden: Alle Messwerte von %n Bild liegen mit 95 % Sicherheit in ihren Toleranzen.</numerusform>
+            <numerusform>Bestanden: Alle Messwerte von %n Bildern liegen mit 95 % Sicherheit in ihren Toleranzen.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s), no tolerances.</source>
+        <translation>
+            <numerusform>%n Bild, keine Toleranzen.</numerusform>
+            <numerusform>%n Bilder, keine Toleranzen.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2709,6 +3052,10 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
 </context>
 <context>
     <name>alltact::MainWindow</name>
+    <message>
+        <source>Fi&amp;nd a command…</source>
+        <translation>&amp;Befehl suchen…</translation>
+    </message>
     <message>
         <source>AllTact Studio</source>
         <translation>AllTact Studio</translation>
@@ -3533,6 +3880,27 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
 </context>
 <context>
     <name>alltact::PressCollection</name>
+    <message numerus="yes">
+        <source>remove %n press(es)</source>
+        <translation>
+            <numerusform>%n Eindruck entfernen</numerusform>
+            <numerusform>%n Eindrücke entfernen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>put %n press(es) back</source>
+        <translation>
+            <numerusform>%n Eindruck wieder nutzen</numerusform>
+            <numerusform>%n Eindrücke wieder nutzen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>leave %n press(es) out</source>
+        <translation>
+            <numerusform>%n Eindruck auslassen</numerusform>
+            <numerusform>%n Eindrücke auslassen</numerusform>
+        </translation>
+    </message>
     <message>
         <source>change the body of %1</source>
         <translation>Körper von %1 ändern</translation>
@@ -3881,6 +4249,10 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
 <context>
     <name>alltact::PressesPage</name>
     <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
         <source>Presses</source>
         <translation>Eindrücke</translation>
     </message>
@@ -4055,8 +4427,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>%1 ist aufgenommen: das Mittel von %2 ruhigen Bildern.</translation>
     </message>
     <message>
-        <source>%1 comes from a single image. Hold ball and finger still for half a second to reduce its noise to a quarter.</source>
-        <translation>%1 stammt aus einem einzigen Bild. Halten Sie Kugel und Finger eine halbe Sekunde still; dann sinkt das Rauschen auf ein Viertel.</translation>
+        <source>%1 is a single image: half a second held still would quarter its noise.</source>
+        <translation>%1 ist ein einzelnes Bild: Eine halbe Sekunde stillgehalten, viertelt sich das Rauschen.</translation>
     </message>
     <message>
         <source>&amp;Error under the ball</source>
@@ -4247,7 +4619,184 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
 </context>
 <context>
+    <name>alltact::ReadingDialog</name>
+    <message>
+        <source>&amp;Name</source>
+        <translation>&amp;Name</translation>
+    </message>
+    <message>
+        <source>&amp;Lower limit</source>
+        <translation>&amp;Untere Grenze</translation>
+    </message>
+    <message>
+        <source>&amp;Upper limit</source>
+        <translation>&amp;Obere Grenze</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Enter a name.</source>
+        <translation>Geben Sie einen Namen ein.</translation>
+    </message>
+    <message>
+        <source>Another reading has this name.</source>
+        <translation>Eine andere Messung hat diesen Namen.</translation>
+    </message>
+    <message>
+        <source>The lower limit must be below the upper one.</source>
+        <translation>Die untere Grenze muss unter der oberen liegen.</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::ReadingPlot</name>
+    <message>
+        <source>No value was measured</source>
+        <translation>Es wurde kein Wert gemessen</translation>
+    </message>
+    <message>
+        <source>Time (s)</source>
+        <translation>Zeit (s)</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Bild</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::RecipeBox</name>
+    <message>
+        <source>pass</source>
+        <translation>bestanden</translation>
+    </message>
+    <message>
+        <source>fail</source>
+        <translation>nicht bestanden</translation>
+    </message>
+    <message>
+        <source>undecided</source>
+        <translation>unentschieden</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>nicht gemessen</translation>
+    </message>
+    <message>
+        <source>no tolerance</source>
+        <translation>ohne Toleranz</translation>
+    </message>
+    <message>
+        <source>%1 to %2 %3</source>
+        <translation>%1 bis %2 %3</translation>
+    </message>
+    <message>
+        <source>at least %1 %2</source>
+        <translation>mindestens %1 %2</translation>
+    </message>
+    <message>
+        <source>at most %1 %2</source>
+        <translation>höchstens %1 %2</translation>
+    </message>
+    <message>
+        <source>–</source>
+        <translation>–</translation>
+    </message>
+    <message>
+        <source>Recipe</source>
+        <translation>Prüfplan</translation>
+    </message>
+    <message>
+        <source>Readings to repeat on every frame, with their tolerances. Select a reading between A and B, then *Add to recipe*; or open a recipe.</source>
+        <translation>Messungen, die in jedem Bild wiederholt werden, mit ihren Toleranzen. Wählen Sie eine Messung zwischen A und B, dann *In den Prüfplan*; oder öffnen Sie einen Prüfplan.</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>Messung</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>Decision</source>
+        <translation>Entscheid</translation>
+    </message>
+    <message>
+        <source>Readings of the recipe</source>
+        <translation>Messungen des Prüfplans</translation>
+    </message>
+    <message>
+        <source>Name, tolerance…</source>
+        <translation>Name, Toleranz…</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Open recipe…</source>
+        <translation>Prüfplan öffnen…</translation>
+    </message>
+    <message>
+        <source>Save recipe…</source>
+        <translation>Prüfplan speichern…</translation>
+    </message>
+    <message>
+        <source>Inspect all frames…</source>
+        <translation>Alle Bilder auswerten…</translation>
+    </message>
+    <message>
+        <source>Measures the recipe in every frame of the recording</source>
+        <translation>Misst den Prüfplan in jedem Bild der Aufnahme</translation>
+    </message>
+    <message>
+        <source>add a reading to the recipe</source>
+        <translation>Messung in den Prüfplan aufnehmen</translation>
+    </message>
+    <message>
+        <source>change a reading of the recipe</source>
+        <translation>Messung des Prüfplans ändern</translation>
+    </message>
+    <message>
+        <source>remove a reading from the recipe</source>
+        <translation>Messung aus dem Prüfplan entfernen</translation>
+    </message>
+    <message>
+        <source>open a recipe</source>
+        <translation>Prüfplan öffnen</translation>
+    </message>
+    <message>
+        <source>Open a recipe</source>
+        <translation>Prüfplan öffnen</translation>
+    </message>
+    <message>
+        <source>Recipes (*.yaml *.yml)</source>
+        <translation>Prüfpläne (*.yaml *.yml)</translation>
+    </message>
+    <message>
+        <source>Save the recipe</source>
+        <translation>Prüfplan speichern</translation>
+    </message>
+</context>
+<context>
     <name>alltact::RecordPage</name>
+    <message>
+        <source>Inspect t&amp;his recording</source>
+        <translation>Diese Aufnahme aus&amp;werten</translation>
+    </message>
     <message>
         <source>Bend it in all directions</source>
         <translation>In alle Richtungen biegen</translation>
@@ -5044,6 +5593,10 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
 <context>
     <name>alltact::SourceMenu</name>
     <message>
+        <source>&amp;Recent sources</source>
+        <translation>Zu&amp;letzt verwendete Quellen</translation>
+    </message>
+    <message>
         <source>&amp;Source</source>
         <translation>&amp;Quelle</translation>
     </message>
@@ -5223,6 +5776,14 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
 </context>
 <context>
     <name>alltact::SurfaceBox</name>
+    <message>
+        <source>Add to recipe</source>
+        <translation>In den Prüfplan</translation>
+    </message>
+    <message>
+        <source>The selected reading, at these positions, becomes part of the recipe</source>
+        <translation>Die gewählte Messung an diesen Positionen kommt in den Prüfplan</translation>
+    </message>
     <message>
         <source>Between A and B</source>
         <translation>Zwischen A und B</translation>
@@ -5814,6 +6375,162 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
 </context>
 <context>
     <name>alltact::en</name>
+    <message>
+        <source>{} of {:.0f}: {}</source>
+        <translation>{} von {:.0f}: {}</translation>
+    </message>
+    <message>
+        <source>stopped before all frames were done</source>
+        <translation>angehalten, bevor alle Bilder gemessen waren</translation>
+    </message>
+    <message>
+        <source>another recording</source>
+        <translation>eine andere Aufnahme</translation>
+    </message>
+    <message>
+        <source>the number is too large</source>
+        <translation>die Zahl ist zu groß</translation>
+    </message>
+    <message>
+        <source>the readings differ too much to be squared</source>
+        <translation>die Messwerte sind zu verschieden, um quadriert zu werden</translation>
+    </message>
+    <message>
+        <source>readings of one unit</source>
+        <translation>Messwerte einer Einheit</translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation>ist leer</translation>
+    </message>
+    <message>
+        <source>a name</source>
+        <translation>einen Namen</translation>
+    </message>
+    <message>
+        <source>is not above the lower limit</source>
+        <translation>liegt nicht über der unteren Grenze</translation>
+    </message>
+    <message>
+        <source>a larger number</source>
+        <translation>eine größere Zahl</translation>
+    </message>
+    <message>
+        <source>has two of the name '{}'</source>
+        <translation>hat zwei namens „{}“</translation>
+    </message>
+    <message>
+        <source>different names</source>
+        <translation>verschiedene Namen</translation>
+    </message>
+    <message>
+        <source>has {} entries</source>
+        <translation>hat {} Einträge</translation>
+    </message>
+    <message>
+        <source>one to {} readings</source>
+        <translation>ein bis {} Messungen</translation>
+    </message>
+    <message>
+        <source>the frame does not show both positions</source>
+        <translation>das Bild zeigt nicht beide Positionen</translation>
+    </message>
+    <message>
+        <source>the recording has no frames</source>
+        <translation>die Aufnahme hat keine Bilder</translation>
+    </message>
+    <message numerus="yes">
+        <source>{0} earlier checks are left out, so that each finger has as many by each operator.</source>
+        <comment>{0} earlier check is left out, so that each finger has as many by each operator.</comment>
+        <translation>
+            <numerusform>{0} frühere Prüfung ist ausgelassen, damit jeder Finger von jedem Prüfer gleich viele hat.</numerusform>
+            <numerusform>{0} frühere Prüfungen sind ausgelassen, damit jeder Finger von jedem Prüfer gleich viele hat.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{1}: {0} checks of another calibration or without an operator are left out.</source>
+        <comment>{1}: {0} check of another calibration or without an operator is left out.</comment>
+        <translation>
+            <numerusform>{1}: {0} Prüfung einer anderen Kalibrierung oder ohne Prüfer ist ausgelassen.</numerusform>
+            <numerusform>{1}: {0} Prüfungen einer anderen Kalibrierung oder ohne Prüfer sind ausgelassen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>each operator measures each part two times or more</source>
+        <translation>jeder Prüfer misst jedes Teil zweimal oder öfter</translation>
+    </message>
+    <message>
+        <source>a gage study needs two parts or two operators</source>
+        <translation>eine Messsystemanalyse braucht zwei Teile oder zwei Prüfer</translation>
+    </message>
+    <message>
+        <source>{} by {}</source>
+        <translation>{} von {}</translation>
+    </message>
+    <message>
+        <source>there is no reading of {}</source>
+        <translation>es gibt keinen Messwert von {}</translation>
+    </message>
+    <message>
+        <source>there is only one reading of {}</source>
+        <translation>es gibt nur einen Messwert von {}</translation>
+    </message>
+    <message>
+        <source>there are {} readings of {}, but {} of {}</source>
+        <translation>es gibt {} Messwerte von {}, aber {} von {}</translation>
+    </message>
+    <message>
+        <source>the same number of readings of each part by each operator</source>
+        <translation>gleich viele Messwerte jedes Teils von jedem Prüfer</translation>
+    </message>
+    <message>
+        <source>a reading of {} is no number</source>
+        <translation>ein Messwert von {} ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>leaving it out</source>
+        <translation>ihn weglassen</translation>
+    </message>
+    <message>
+        <source>Gage R&amp;R: standard deviation {:.4f} mm (95 %: {:.4f} to {:.4f}), {:.1f} % of the variation</source>
+        <translation>Gage R&amp;R: Standardabweichung {:.4f} mm (95 %: {:.4f} bis {:.4f}), {:.1f} % der Streuung</translation>
+    </message>
+    <message>
+        <source>{}, {:.1f} % of the tolerance.</source>
+        <translation>{}, {:.1f} % der Toleranz.</translation>
+    </message>
+    <message>
+        <source>a table whose head names part, operator and value_mm</source>
+        <translation>eine Tabelle mit den Spalten part, operator und value_mm</translation>
+    </message>
+    <message>
+        <source>the cell is empty</source>
+        <translation>die Zelle ist leer</translation>
+    </message>
+    <message>
+        <source>the table has no rows</source>
+        <translation>die Tabelle hat keine Zeilen</translation>
+    </message>
+    <message>
+        <source>one row for each reading</source>
+        <translation>eine Zeile für jeden Messwert</translation>
+    </message>
+    <message>
+        <source>the same finger is named twice</source>
+        <translation>derselbe Finger ist zweimal genannt</translation>
+    </message>
+    <message>
+        <source>naming each finger once</source>
+        <translation>jeden Finger einmal nennen</translation>
+    </message>
+    <message>
+        <source>no check of these fingers names its operator</source>
+        <translation>keine Prüfung dieser Finger nennt ihren Prüfer</translation>
+    </message>
+    <message>
+        <source>alltact check FINGER --presses ... --operator NAME, two times or more by each operator</source>
+        <translation>alltact check FINGER --presses ... --operator NAME, zweimal oder öfter durch jeden Prüfer</translation>
+    </message>
     <message>
         <source>only the joint method is compared with others</source>
         <translation>nur das gemeinsame Verfahren wird mit anderen verglichen</translation>
@@ -8815,8 +9532,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Eindrücke mit dem größten Restfehler weglassen, ein kleinerer Grad, oder den Radius der Kugel prüfen</translation>
     </message>
     <message>
-        <source>solving: round {}, unknowns change by {:.1e} mm</source>
-        <translation>Lösen: Runde {}, Unbekannte ändern sich um {} mm</translation>
+        <source>solving: round {}</source>
+        <translation>Lösen: Runde {}</translation>
     </message>
     <message>
         <source>solving all presses together</source>

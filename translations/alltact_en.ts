@@ -113,6 +113,54 @@
     </message>
 </context>
 <context>
+    <name>alltact::GageDialog</name>
+    <message numerus="yes">
+        <source>%n part(s)</source>
+        <translation>
+            <numerusform>%n part</numerusform>
+            <numerusform>%n parts</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n operator(s)</source>
+        <translation>
+            <numerusform>%n operator</numerusform>
+            <numerusform>%n operators</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n repeat(s)</source>
+        <translation>
+            <numerusform>%n repeat</numerusform>
+            <numerusform>%n repeats</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n distinct categorie(s)</source>
+        <translation>
+            <numerusform>%n distinct category</numerusform>
+            <numerusform>%n distinct categories</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>alltact::InspectionResults</name>
+    <message numerus="yes">
+        <source>Pass: all readings of %n frame(s) are within their tolerances with 95 % certainty.</source>
+        <translation>
+            <numerusform>Pass: all readings of %n frame are within their tolerances with 95 % certainty.</numerusform>
+            <numerusform>Pass: all readings of %n frames are within their tolerances with 95 % certainty.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s), no tolerances.</source>
+        <translation>
+            <numerusform>%n frame, no tolerances.</numerusform>
+            <numerusform>%n frames, no tolerances.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>alltact::MappingPage</name>
     <message numerus="yes">
         <source>(about %n second(s) left)</source>
@@ -124,6 +172,27 @@
 </context>
 <context>
     <name>alltact::PressCollection</name>
+    <message numerus="yes">
+        <source>remove %n press(es)</source>
+        <translation>
+            <numerusform>remove %n press</numerusform>
+            <numerusform>remove %n presses</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>put %n press(es) back</source>
+        <translation>
+            <numerusform>put %n press back</numerusform>
+            <numerusform>put %n presses back</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>leave %n press(es) out</source>
+        <translation>
+            <numerusform>leave %n press out</numerusform>
+            <numerusform>leave %n presses out</numerusform>
+        </translation>
+    </message>
     <message numerus="yes">
         <source>add %n image(s)</source>
         <translation>

@@ -416,6 +416,18 @@
 <context>
     <name>alltact::CheckPage</name>
     <message>
+        <source>Operator</source>
+        <translation>操作者</translation>
+    </message>
+    <message>
+        <source>O&amp;perator</source>
+        <translation>操作者(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Stored with the check: it separates operators from repetitions in a gage study.</source>
+        <translation>随检查保存：在量具研究中区分操作者与重复测量。</translation>
+    </message>
+    <message>
         <source>Three presses</source>
         <translation>三次按压</translation>
     </message>
@@ -506,6 +518,37 @@
     <message>
         <source>A check needs %1 presses at different positions: press again.</source>
         <translation>检查需要 %1 次位置不同的按压：请再次按压。</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::CommandSearch</name>
+    <message>
+        <source>Find a command</source>
+        <translation>查找命令</translation>
+    </message>
+    <message>
+        <source>Words of the command</source>
+        <translation>命令中的文字</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>命令</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>命令</translation>
+    </message>
+    <message>
+        <source>Menu or page</source>
+        <translation>菜单或页面</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>快捷键</translation>
+    </message>
+    <message>
+        <source>this page</source>
+        <translation>本页</translation>
     </message>
 </context>
 <context>
@@ -1150,6 +1193,14 @@
 <context>
     <name>alltact::FingerListDialog</name>
     <message>
+        <source>&amp;Gage R&amp;&amp;R…</source>
+        <translation>量具 R&amp;&amp;R(&amp;G)…</translation>
+    </message>
+    <message>
+        <source>Compares the checks of the selected fingers by their operators</source>
+        <translation>按操作者比较所选手指的检查</translation>
+    </message>
+    <message>
         <source>All fingers</source>
         <translation>全部手指</translation>
     </message>
@@ -1485,6 +1536,173 @@
     </message>
 </context>
 <context>
+    <name>alltact::GageDialog</name>
+    <message>
+        <source>Table of readings</source>
+        <translation>读数表</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv *.txt *.tsv)</source>
+        <translation>表格 (*.csv *.txt *.tsv)</translation>
+    </message>
+    <message>
+        <source>Gage R&amp;R</source>
+        <translation>量具 R&amp;R</translation>
+    </message>
+    <message>
+        <source>How much of the variation of measured depths comes from measuring: from operators, and from repetitions. A reading is the mean depth error of one check; each operator checks each finger two times or more.</source>
+        <translation>测得深度的变差有多少来自测量本身：来自操作者和重复测量。一个读数是一次检查的平均深度偏差；每位操作者对每个手指检查两次或更多。</translation>
+    </message>
+    <message>
+        <source>&amp;Tolerance</source>
+        <translation>公差(&amp;T)</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Width of the tolerance that is measured with the fingers</source>
+        <translation>用手指测量的公差带宽度</translation>
+    </message>
+    <message>
+        <source>Variation by source</source>
+        <translation>按来源的变差</translation>
+    </message>
+    <message>
+        <source>Analysis of variance</source>
+        <translation>方差分析</translation>
+    </message>
+    <message>
+        <source>&amp;From a table…</source>
+        <translation>从表格读取(&amp;F)…</translation>
+    </message>
+    <message>
+        <source>With the columns part, operator and value_mm</source>
+        <translation>含 part、operator 和 value_mm 列</translation>
+    </message>
+    <message>
+        <source>C&amp;opy</source>
+        <translation>复制(&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>关闭(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Reading the checks…</source>
+        <translation>正在读取检查…</translation>
+    </message>
+    <message>
+        <source>No result.</source>
+        <translation>没有结果。</translation>
+    </message>
+    <message>
+        <source>Variation</source>
+        <translation>变差</translation>
+    </message>
+    <message>
+        <source>SD, mm</source>
+        <translation>标准差 (mm)</translation>
+    </message>
+    <message>
+        <source>95 %, mm</source>
+        <translation>95 % (mm)</translation>
+    </message>
+    <message>
+        <source>% of total</source>
+        <translation>占总变差 %</translation>
+    </message>
+    <message>
+        <source>% of tolerance</source>
+        <translation>占公差 %</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 至 %2</translation>
+    </message>
+    <message>
+        <source>Repeatability</source>
+        <translation>重复性</translation>
+    </message>
+    <message>
+        <source>Reproducibility</source>
+        <translation>再现性</translation>
+    </message>
+    <message>
+        <source>Operators</source>
+        <translation>操作者</translation>
+    </message>
+    <message>
+        <source>Parts × operators</source>
+        <translation>零件 × 操作者</translation>
+    </message>
+    <message>
+        <source>Parts × operators (pooled)</source>
+        <translation>零件 × 操作者（已合并）</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>零件</translation>
+    </message>
+    <message>
+        <source>Total</source>
+        <translation>总计</translation>
+    </message>
+    <message>
+        <source>Repetitions</source>
+        <translation>重复</translation>
+    </message>
+    <message>
+        <source>df</source>
+        <translation>自由度</translation>
+    </message>
+    <message>
+        <source>SS</source>
+        <translation>SS</translation>
+    </message>
+    <message>
+        <source>MS</source>
+        <translation>MS</translation>
+    </message>
+    <message>
+        <source>F</source>
+        <translation>F</translation>
+    </message>
+    <message>
+        <source>p</source>
+        <translation>p</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n part(s)</source>
+        <translation>
+            <numerusform>%n 个零件</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n operator(s)</source>
+        <translation>
+            <numerusform>%n 位操作者</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n repeat(s)</source>
+        <translation>
+            <numerusform>重复 %n 次</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n distinct categorie(s)</source>
+        <translation>
+            <numerusform>可区分类别 %n 个</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>alltact::GripperDialog</name>
     <message>
         <source>%1 in the gripper</source>
@@ -1578,8 +1796,8 @@
         <translation>球和手指保持不动后，即拍摄此次按压。</translation>
     </message>
     <message>
-        <source>Not taken: ball and finger were not held still. Hold them still for half a second.</source>
-        <translation>未拍摄：球和手指没有保持不动。请保持不动半秒钟。</translation>
+        <source>Not taken: hold ball and finger still for half a second.</source>
+        <translation>未拍摄：请将球和手指保持静止半秒。</translation>
     </message>
 </context>
 <context>
@@ -1978,6 +2196,125 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>Cross-section</source>
         <translation>剖面</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::InspectionResults</name>
+    <message>
+        <source>Fail: readings are outside of their tolerance.</source>
+        <translation>不合格：有读数超出公差。</translation>
+    </message>
+    <message>
+        <source>Undecided: readings are closer to a limit than their uncertainty allows to decide.</source>
+        <translation>无法判定：有读数离界限太近，其不确定度不足以判定。</translation>
+    </message>
+    <message>
+        <source>Undecided: some frames could not be read.</source>
+        <translation>无法判定：部分帧无法测量。</translation>
+    </message>
+    <message>
+        <source>%1/s</source>
+        <translation>%1/s</translation>
+    </message>
+    <message>
+        <source>%1/frame</source>
+        <translation>%1/帧</translation>
+    </message>
+    <message>
+        <source>Inspection</source>
+        <translation>检测</translation>
+    </message>
+    <message>
+        <source>Readings of all frames</source>
+        <translation>所有帧的测量项</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>测量项</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>平均</translation>
+    </message>
+    <message>
+        <source>Spread</source>
+        <translation>离散</translation>
+    </message>
+    <message>
+        <source>Smallest</source>
+        <translation>最小</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>最大</translation>
+    </message>
+    <message>
+        <source>Trend</source>
+        <translation>趋势</translation>
+    </message>
+    <message>
+        <source>Pass</source>
+        <translation>合格</translation>
+    </message>
+    <message>
+        <source>Fail</source>
+        <translation>不合格</translation>
+    </message>
+    <message>
+        <source>Undecided</source>
+        <translation>无法判定</translation>
+    </message>
+    <message>
+        <source>Progress of the inspection</source>
+        <translation>检测进度</translation>
+    </message>
+    <message>
+        <source>The selected reading over the frames</source>
+        <translation>所选测量项随帧的变化</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>停止(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Save &amp;table (CSV)…</source>
+        <translation>保存表格 (CSV)(&amp;T)…</translation>
+    </message>
+    <message>
+        <source>Save &amp;report (PDF)…</source>
+        <translation>保存报告 (PDF)(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>关闭(&amp;C)</translation>
+    </message>
+    <message>
+        <source>The frames are being measured…</source>
+        <translation>正在测量各帧…</translation>
+    </message>
+    <message>
+        <source>Nothing was inspected.</source>
+        <translation>没有检测结果。</translation>
+    </message>
+    <message>
+        <source>Save the inspection</source>
+        <translation>保存检测结果</translation>
+    </message>
+    <message>
+        <source>Written: %1.</source>
+        <translation>已写入：%1。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Pass: all readings of %n frame(s) are within their tolerances with 95 % certainty.</source>
+        <translation>
+            <numerusform>合格：%n 帧的所有读数以 95 % 的置信度在公差内。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s), no tolerances.</source>
+        <translation>
+            <numerusform>%n 帧，无公差。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2697,6 +3034,10 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
 </context>
 <context>
     <name>alltact::MainWindow</name>
+    <message>
+        <source>Fi&amp;nd a command…</source>
+        <translation>查找命令(&amp;N)…</translation>
+    </message>
     <message>
         <source>AllTact Studio</source>
         <translation>AllTact Studio</translation>
@@ -3520,6 +3861,24 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
 </context>
 <context>
     <name>alltact::PressCollection</name>
+    <message numerus="yes">
+        <source>remove %n press(es)</source>
+        <translation>
+            <numerusform>移除 %n 个按压</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>put %n press(es) back</source>
+        <translation>
+            <numerusform>恢复使用 %n 个按压</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>leave %n press(es) out</source>
+        <translation>
+            <numerusform>排除 %n 个按压</numerusform>
+        </translation>
+    </message>
     <message>
         <source>change the body of %1</source>
         <translation>更改 %1 的物体</translation>
@@ -3865,6 +4224,10 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
 <context>
     <name>alltact::PressesPage</name>
     <message>
+        <source>Remove</source>
+        <translation>移除</translation>
+    </message>
+    <message>
         <source>Presses</source>
         <translation>按压</translation>
     </message>
@@ -4037,8 +4400,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>%1 已拍摄：%2 张静止图像的平均。</translation>
     </message>
     <message>
-        <source>%1 comes from a single image. Hold ball and finger still for half a second to reduce its noise to a quarter.</source>
-        <translation>%1 取自单张图像。请使球和手指保持静止半秒，噪声会降到四分之一。</translation>
+        <source>%1 is a single image: half a second held still would quarter its noise.</source>
+        <translation>%1 只有一张图像：保持静止半秒可使噪声降至四分之一。</translation>
     </message>
     <message>
         <source>&amp;Error under the ball</source>
@@ -4225,7 +4588,184 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     </message>
 </context>
 <context>
+    <name>alltact::ReadingDialog</name>
+    <message>
+        <source>&amp;Name</source>
+        <translation>名称(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Lower limit</source>
+        <translation>下限(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Upper limit</source>
+        <translation>上限(&amp;U)</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>确定</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Enter a name.</source>
+        <translation>请输入名称。</translation>
+    </message>
+    <message>
+        <source>Another reading has this name.</source>
+        <translation>已有同名的测量项。</translation>
+    </message>
+    <message>
+        <source>The lower limit must be below the upper one.</source>
+        <translation>下限必须小于上限。</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::ReadingPlot</name>
+    <message>
+        <source>No value was measured</source>
+        <translation>未测得数值</translation>
+    </message>
+    <message>
+        <source>Time (s)</source>
+        <translation>时间 (s)</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>帧</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::RecipeBox</name>
+    <message>
+        <source>pass</source>
+        <translation>合格</translation>
+    </message>
+    <message>
+        <source>fail</source>
+        <translation>不合格</translation>
+    </message>
+    <message>
+        <source>undecided</source>
+        <translation>无法判定</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>未测得</translation>
+    </message>
+    <message>
+        <source>no tolerance</source>
+        <translation>无公差</translation>
+    </message>
+    <message>
+        <source>%1 to %2 %3</source>
+        <translation>%1 至 %2 %3</translation>
+    </message>
+    <message>
+        <source>at least %1 %2</source>
+        <translation>至少 %1 %2</translation>
+    </message>
+    <message>
+        <source>at most %1 %2</source>
+        <translation>至多 %1 %2</translation>
+    </message>
+    <message>
+        <source>–</source>
+        <translation>–</translation>
+    </message>
+    <message>
+        <source>Recipe</source>
+        <translation>检测配方</translation>
+    </message>
+    <message>
+        <source>Readings to repeat on every frame, with their tolerances. Select a reading between A and B, then *Add to recipe*; or open a recipe.</source>
+        <translation>在每一帧上重复的测量项及其公差。选择 A、B 之间的一个读数，然后*加入配方*；或打开已有配方。</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>测量项</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>数值</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>公差</translation>
+    </message>
+    <message>
+        <source>Decision</source>
+        <translation>判定</translation>
+    </message>
+    <message>
+        <source>Readings of the recipe</source>
+        <translation>配方中的测量项</translation>
+    </message>
+    <message>
+        <source>Name, tolerance…</source>
+        <translation>名称、公差…</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>移除</translation>
+    </message>
+    <message>
+        <source>Open recipe…</source>
+        <translation>打开配方…</translation>
+    </message>
+    <message>
+        <source>Save recipe…</source>
+        <translation>保存配方…</translation>
+    </message>
+    <message>
+        <source>Inspect all frames…</source>
+        <translation>检测所有帧…</translation>
+    </message>
+    <message>
+        <source>Measures the recipe in every frame of the recording</source>
+        <translation>在录像的每一帧上执行配方</translation>
+    </message>
+    <message>
+        <source>add a reading to the recipe</source>
+        <translation>向配方添加测量项</translation>
+    </message>
+    <message>
+        <source>change a reading of the recipe</source>
+        <translation>更改配方中的测量项</translation>
+    </message>
+    <message>
+        <source>remove a reading from the recipe</source>
+        <translation>从配方移除测量项</translation>
+    </message>
+    <message>
+        <source>open a recipe</source>
+        <translation>打开配方</translation>
+    </message>
+    <message>
+        <source>Open a recipe</source>
+        <translation>打开配方</translation>
+    </message>
+    <message>
+        <source>Recipes (*.yaml *.yml)</source>
+        <translation>配方 (*.yaml *.yml)</translation>
+    </message>
+    <message>
+        <source>Save the recipe</source>
+        <translation>保存配方</translation>
+    </message>
+</context>
+<context>
     <name>alltact::RecordPage</name>
+    <message>
+        <source>Inspect t&amp;his recording</source>
+        <translation>检视此录像(&amp;H)</translation>
+    </message>
     <message>
         <source>Bend it in all directions</source>
         <translation>向各个方向弯曲</translation>
@@ -5009,6 +5549,10 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
 <context>
     <name>alltact::SourceMenu</name>
     <message>
+        <source>&amp;Recent sources</source>
+        <translation>最近的来源(&amp;R)</translation>
+    </message>
+    <message>
         <source>&amp;Source</source>
         <translation>来源(&amp;S)</translation>
     </message>
@@ -5187,6 +5731,14 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
 </context>
 <context>
     <name>alltact::SurfaceBox</name>
+    <message>
+        <source>Add to recipe</source>
+        <translation>加入配方</translation>
+    </message>
+    <message>
+        <source>The selected reading, at these positions, becomes part of the recipe</source>
+        <translation>将所选读数及其位置加入检测配方</translation>
+    </message>
     <message>
         <source>Between A and B</source>
         <translation>A 与 B 之间</translation>
@@ -5775,6 +6327,160 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
 </context>
 <context>
     <name>alltact::en</name>
+    <message>
+        <source>{} of {:.0f}: {}</source>
+        <translation>{} / {:.0f}：{}</translation>
+    </message>
+    <message>
+        <source>stopped before all frames were done</source>
+        <translation>在处理完所有帧之前已停止</translation>
+    </message>
+    <message>
+        <source>another recording</source>
+        <translation>另一段录像</translation>
+    </message>
+    <message>
+        <source>the number is too large</source>
+        <translation>数字太大</translation>
+    </message>
+    <message>
+        <source>the readings differ too much to be squared</source>
+        <translation>读数相差过大，无法求平方</translation>
+    </message>
+    <message>
+        <source>readings of one unit</source>
+        <translation>同一单位的读数</translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation>为空</translation>
+    </message>
+    <message>
+        <source>a name</source>
+        <translation>一个名称</translation>
+    </message>
+    <message>
+        <source>is not above the lower limit</source>
+        <translation>不大于下限</translation>
+    </message>
+    <message>
+        <source>a larger number</source>
+        <translation>更大的数字</translation>
+    </message>
+    <message>
+        <source>has two of the name '{}'</source>
+        <translation>有两个名为“{}”的项</translation>
+    </message>
+    <message>
+        <source>different names</source>
+        <translation>不同的名称</translation>
+    </message>
+    <message>
+        <source>has {} entries</source>
+        <translation>有 {} 项</translation>
+    </message>
+    <message>
+        <source>one to {} readings</source>
+        <translation>1 至 {} 个测量项</translation>
+    </message>
+    <message>
+        <source>the frame does not show both positions</source>
+        <translation>该帧未显示两个位置</translation>
+    </message>
+    <message>
+        <source>the recording has no frames</source>
+        <translation>录像没有帧</translation>
+    </message>
+    <message numerus="yes">
+        <source>{0} earlier checks are left out, so that each finger has as many by each operator.</source>
+        <comment>{0} earlier check is left out, so that each finger has as many by each operator.</comment>
+        <translation>
+            <numerusform>为使每个手指由每位操作者检查的次数相同，{0} 次较早的检查未计入。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{1}: {0} checks of another calibration or without an operator are left out.</source>
+        <comment>{1}: {0} check of another calibration or without an operator is left out.</comment>
+        <translation>
+            <numerusform>{1}：{0} 次检查属于其他标定或没有操作者，未计入。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>each operator measures each part two times or more</source>
+        <translation>每位操作者至少测量每个零件两次</translation>
+    </message>
+    <message>
+        <source>a gage study needs two parts or two operators</source>
+        <translation>量具研究需要两个零件或两位操作者</translation>
+    </message>
+    <message>
+        <source>{} by {}</source>
+        <translation>{}（{}）</translation>
+    </message>
+    <message>
+        <source>there is no reading of {}</source>
+        <translation>缺少 {} 的读数</translation>
+    </message>
+    <message>
+        <source>there is only one reading of {}</source>
+        <translation>{} 只有一个读数</translation>
+    </message>
+    <message>
+        <source>there are {} readings of {}, but {} of {}</source>
+        <translation>有 {} 个 {} 的读数，但 {} 个 {} 的读数</translation>
+    </message>
+    <message>
+        <source>the same number of readings of each part by each operator</source>
+        <translation>每位操作者对每个零件的读数个数相同</translation>
+    </message>
+    <message>
+        <source>a reading of {} is no number</source>
+        <translation>{} 的一个读数不是数字</translation>
+    </message>
+    <message>
+        <source>leaving it out</source>
+        <translation>去掉该读数</translation>
+    </message>
+    <message>
+        <source>Gage R&amp;R: standard deviation {:.4f} mm (95 %: {:.4f} to {:.4f}), {:.1f} % of the variation</source>
+        <translation>量具 R&amp;R：标准差 {:.4f} mm（95 %：{:.4f} 至 {:.4f}），占总变差的 {:.1f} %</translation>
+    </message>
+    <message>
+        <source>{}, {:.1f} % of the tolerance.</source>
+        <translation>{}，占公差的 {:.1f} %。</translation>
+    </message>
+    <message>
+        <source>a table whose head names part, operator and value_mm</source>
+        <translation>表头含 part、operator 和 value_mm 的表格</translation>
+    </message>
+    <message>
+        <source>the cell is empty</source>
+        <translation>单元格为空</translation>
+    </message>
+    <message>
+        <source>the table has no rows</source>
+        <translation>表格没有数据行</translation>
+    </message>
+    <message>
+        <source>one row for each reading</source>
+        <translation>每个读数一行</translation>
+    </message>
+    <message>
+        <source>the same finger is named twice</source>
+        <translation>同一手指被指定了两次</translation>
+    </message>
+    <message>
+        <source>naming each finger once</source>
+        <translation>每个手指只指定一次</translation>
+    </message>
+    <message>
+        <source>no check of these fingers names its operator</source>
+        <translation>这些手指的检查都没有记录操作者</translation>
+    </message>
+    <message>
+        <source>alltact check FINGER --presses ... --operator NAME, two times or more by each operator</source>
+        <translation>alltact check FINGER --presses ... --operator NAME，每位操作者两次或更多</translation>
+    </message>
     <message>
         <source>only the joint method is compared with others</source>
         <translation>只有联合法才与其他方法比较</translation>
@@ -8775,8 +9481,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>舍弃残差最大的按压、降低次数，或检查球的半径</translation>
     </message>
     <message>
-        <source>solving: round {}, unknowns change by {:.1e} mm</source>
-        <translation>正在求解：第 {} 轮，未知量变动 {} mm</translation>
+        <source>solving: round {}</source>
+        <translation>正在求解：第 {} 轮</translation>
     </message>
     <message>
         <source>solving all presses together</source>

@@ -173,8 +173,11 @@ QString video_filter(const QString& more) {
   if (!more.isEmpty()) patterns << more;
   const QString videos = QCoreApplication::translate("alltact::FileFilter", "Videos (%1)")
                              .arg(patterns.join(QLatin1Char(' ')));
-  return videos + QLatin1String(";;") +
-         QCoreApplication::translate("alltact::FileFilter", "All files (*)");
+  return videos + QLatin1String(";;") + all_files_filter();
+}
+
+QString all_files_filter() {
+  return QCoreApplication::translate("alltact::FileFilter", "All files (*)");
 }
 
 QString image_filter() {
@@ -183,8 +186,8 @@ QString image_filter() {
 }
 
 void begin_in_last_folder(QFileDialog& dialog, FilesOf what, const QString& otherwise) {
-  static const std::array<const char*, 7> kNames{"fingers", "recordings", "images", "cameras",
-                                                 "meshes",  "grippers",   "exports"};
+  static const std::array<const char*, 8> kNames{"fingers", "recordings", "images",  "cameras",
+                                                 "meshes",  "grippers",   "exports", "recipes"};
   const QString key =
       QStringLiteral("folders/") + QLatin1String(kNames.at(static_cast<std::size_t>(what) - 1));
   for (const QString& folder :

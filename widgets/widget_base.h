@@ -151,9 +151,19 @@ using UsePath = std::function<void(const QString& path)>;
 /// Filter of a file dialog: videos by their names, then all files, because names show little.
 /// `more`: patterns that are offered together with videos.
 [[nodiscard]] QString video_filter(const QString& more = {});
+[[nodiscard]] QString all_files_filter();
 [[nodiscard]] QString image_filter();
 /// What a file dialog is for. Each begins in the folder that was used last for it.
-enum class FilesOf { kFingers = 1, kRecordings, kImages, kCameras, kMeshes, kGrippers, kExports };
+enum class FilesOf {
+  kFingers = 1,
+  kRecordings,
+  kImages,
+  kCameras,
+  kMeshes,
+  kGrippers,
+  kExports,
+  kRecipes
+};
 /// The dialog begins in the folder that was used last for such files or, the first time, in
 /// `otherwise` or the user's documents, and remembers what it chooses.
 void begin_in_last_folder(QFileDialog& dialog, FilesOf what, const QString& otherwise = {});

@@ -1,5 +1,6 @@
 #include "app/studio/main_window.h"
 
+#include "app/studio/command_search.h"
 #include "app/studio/header_bar.h"
 #include "app/studio/help.h"
 #include "app/studio/menus.h"
@@ -18,13 +19,16 @@
 
 #include <QApplication>
 #include <QCloseEvent>
+#include <QDragEnterEvent>
 #include <QHBoxLayout>
 #include <QLibraryInfo>
 #include <QLocale>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QMimeData>
 #include <QOpenGLWidget>
 #include <QSettings>
+#include <QUrl>
 #include <QVBoxLayout>
 #include <QWidget>
 
@@ -96,6 +100,7 @@ MainWindow::MainWindow(const StudioOptions& options, ProgramAppearance& program_
     setWindowTitle(tr("AllTact Studio"));
     name_last();
   });
+  setAcceptDrops(true);
   resize(1280, 800);
   restoreGeometry(QSettings().value(QStringLiteral("window/geometry")).toByteArray());
   shown_page().focus_next();
@@ -178,12 +183,45 @@ bool MainWindow::focusNextPrevChild(bool next) {
   return true;
 }
 
+namespace {
+
+std::vector<std::filesystem::path> files_of(const QMimeData& data) {
+  std::vector<std::filesystem::path> files;
+  for (const QUrl& url : data.urls())
+    if (url.isLocalFile()) files.emplace_back(url.toLocalFile().toStdString());
+  return files;
+}
+
+}  // namespace
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (!files_of(*event->mimeData()).empty()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  const auto files = files_of(*event->mimeData());
+  if (files.empty()) return;
+  event->acceptProposedAction();
+  dropping_.restart([this, files](const Job&) {
+    return std::function<void()>([this, dropped = dropped_files(files)] { open_files(dropped); });
+  });
+}
+
+void MainWindow::open_files(const DroppedFiles& dropped) {
+  if (dropped.kind == FileKind::kFinger) return open_finger(dropped.files.front());
+  if (!shown_page().take_files(dropped)) open_source(dropped.files);
+}
+
 void MainWindow::connect_page(Page& page) {
   connect(&page, &Page::changed, this, &MainWindow::keep);
   connect(&page, &Page::problems_changed, problems_, &NotificationBar::follow);
   connect(&page, &Page::page_requested, this, &MainWindow::go_to);
   connect(&page, &Page::lead_requested, this, &MainWindow::lead_to);
   connect(&page, &Page::open_finger_requested, finger_menu_, &FingerMenu::choose);
+  connect(&page, &Page::inspect_requested, this, [this](const std::filesystem::path& recording) {
+    inspect_->open(recording);
+    go_to(inspect_->name());
+  });
   connect(&page, &Page::new_finger_requested, finger_menu_, &FingerMenu::make);
   connect(&work_, &Workspace::finger_rewritten, &page, &Page::reload);
 }
@@ -277,6 +315,9 @@ void MainWindow::make_view_menu() {
         [this, page] { go_to(page->name()); });
   }
   menu->addSeparator();
+  menu->add(
+      {Qt::CTRL | Qt::Key_K}, [] { return tr("Fi&nd a command…"); },
+      [this] { show_dialog(*new CommandSearch(*this)); });
   menu->add(
       {Qt::Key_F11}, [] { return tr("&Full screen"); },
       [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });

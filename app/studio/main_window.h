@@ -6,8 +6,10 @@
 #include "app/studio/session.h"
 #include "app/studio/workspace.h"
 #include "core/open/open_source.h"
+#include "widgets/background_work.h"
 #include "widgets/controls/devices.h"
 #include "widgets/language.h"
+#include "widgets/shell/dropped_files.h"
 #include "widgets/shell/settings_dialog.h"
 
 #include <QHBoxLayout>
@@ -81,6 +83,10 @@ class MainWindow : public Translated<QMainWindow> {
   /// The focus of a control that was disabled or hidden goes to what comes next on the page.
   bool focusNextPrevChild(bool next) override;
   void closeEvent(QCloseEvent* event) override;
+  /// Files and folders can be dropped anywhere: fingers open, others go to the page or become the
+  /// source.
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
 
  private:
   void make_pages(const StudioOptions& options);
@@ -99,6 +105,7 @@ class MainWindow : public Translated<QMainWindow> {
   void share_bars();
   /// Only one button leads to what is due: of the page, the guide or the header.
   void show_leads();
+  void open_files(const DroppedFiles& dropped);
   void show_settings();
   /// The first page needs no hint, since it explains itself.
   void show_hint();
@@ -131,6 +138,7 @@ class MainWindow : public Translated<QMainWindow> {
   PageHint* hint_;
   QStackedWidget* stack_;
   bool may_close_ = false;  // while recording
+  BackgroundWork dropping_;
 };
 
 }  // namespace alltact

@@ -4,6 +4,7 @@
 #include "core/base/program.h"
 #include "widgets/shell/export_dialog.h"
 #include "widgets/shell/finger_card.h"
+#include "widgets/shell/gage_dialog.h"
 #include "widgets/shell/new_finger_dialog.h"
 #include "widgets/undo_step.h"
 #include "widgets/widget_base.h"
@@ -118,6 +119,10 @@ void FingerMenu::list_all() {
   auto* dialog = new FingerListDialog(work_.state().recent_fingers, parentWidget());
   connect(dialog, &FingerListDialog::finger_chosen, this,
           [this](const QString& folder) { work_.open_finger(folder.toStdString()); });
+  connect(dialog, &FingerListDialog::gage_requested, this,
+          [this](const std::vector<std::filesystem::path>& folders) {
+            show_dialog(*new GageDialog(folders, parentWidget()));
+          });
   show_dialog(*dialog);
 }
 
@@ -141,7 +146,9 @@ void FingerMenu::export_finger() {
 
 SourceMenu::SourceMenu(Workspace& work, const CameraFinder& finder, QWidget* window)
     : Translated(window), work_(work), finder_(finder) {
+  setToolTipsVisible(true);
   connect(&finder_, &CameraFinder::cameras_changed, this, &SourceMenu::fill);
+  connect(&work_, &Workspace::source_changed, this, &SourceMenu::fill);
   say([this] {
     setTitle(tr("&Source"));
     fill();
@@ -166,8 +173,22 @@ void SourceMenu::fill() {
   add(tr("&Video file…"), &SourceMenu::choose_video);
   add(tr("Folder of &images…"), &SourceMenu::choose_folder);
   add(tr("Scene &file…"), &SourceMenu::choose_scene);
+  add_recent();
   addSeparator();
   add(tr("&Close the source"), [this] { work_.open_source({}); });
+}
+
+void SourceMenu::add_recent() {
+  const auto& recent = work_.state().recent_sources;
+  if (recent.empty()) return;
+  QMenu* menu = addMenu(tr("&Recent sources"));
+  menu->setToolTipsVisible(true);
+  for (const std::filesystem::path& source : recent) {
+    const QString path = QString::fromStdString(source.string());
+    QAction* entry = menu->addAction(elided_path(path, fontMetrics(), kPathRoom));
+    entry->setToolTip(path);
+    connect(entry, &QAction::triggered, this, [this, path] { open(path); });
+  }
 }
 
 void SourceMenu::open_simulated() { open_shipped("scenes/studio_finger.yaml"); }

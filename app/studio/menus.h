@@ -105,6 +105,7 @@ class SourceMenu : public Translated<QMenu> {
   void choose_scene();
   void open_shipped(const char* name);
   void open(const QString& path);
+  void add_recent();
 
   Workspace& work_;
   const CameraFinder& finder_;

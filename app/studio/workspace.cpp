@@ -1,5 +1,6 @@
 #include "app/studio/workspace.h"
 
+#include "core/base/program.h"
 #include "widgets/undo_step.h"
 
 #include <chrono>
@@ -13,6 +14,20 @@ using InputsChange = ValueChange<Workspace::Inputs>;
 std::filesystem::path absolute_path(const std::filesystem::path& folder) {
   std::error_code ignored;
   return folder.empty() ? folder : std::filesystem::absolute(folder, ignored);
+}
+
+void put_first(const std::filesystem::path& path, std::vector<std::filesystem::path>& recent) {
+  std::erase(recent, path);
+  recent.insert(recent.begin(), path);
+  if (recent.size() > kMaxRecentFingers) recent.resize(kMaxRecentFingers);
+}
+
+/// A video, a folder of images or a scene of the user's: no camera, no scene of the program. By its
+/// name alone, since its disk may not answer.
+bool is_own_file(const std::filesystem::path& source) {
+  const bool is_device = !source.has_parent_path() || source.string().starts_with("/dev/");
+  const auto shipped = find_resource("scenes/" + source.filename().string());
+  return !is_device && !(shipped && *shipped == source);
 }
 
 }  // namespace
@@ -38,6 +53,7 @@ Workspace::Workspace(LiveSession& session, QUndoStack& undo,
   poll_timer_.start(kBetweenLooksAtFinger);
   if (!last) return;
   state_.recent_fingers = last->recent_fingers;
+  state_.recent_sources = last->recent_sources;
   state_.controls = last->controls;
 }
 
@@ -84,12 +100,7 @@ void Workspace::set_finger(const std::filesystem::path& folder) {
   state_.finger = folder;
   listen_to_finger();
   session_.open_finger(folder);
-  if (!folder.empty()) {
-    auto& recent = state_.recent_fingers;
-    std::erase(recent, folder);
-    recent.insert(recent.begin(), folder);
-    if (recent.size() > kMaxRecentFingers) recent.resize(kMaxRecentFingers);
-  }
+  if (!folder.empty()) put_first(folder, state_.recent_fingers);
   Q_EMIT finger_changed();
   Q_EMIT changed();
 }
@@ -101,6 +112,8 @@ void Workspace::set_source(const Inputs& inputs) {
   } else {
     session_.set_lock(state_.is_locked);
     session_.open_source(inputs, stored_controls());
+    if (inputs.size() == 1 && is_own_file(inputs.front()))
+      put_first(absolute_path(inputs.front()), state_.recent_sources);
   }
   Q_EMIT source_changed();
   Q_EMIT changed();

@@ -475,8 +475,7 @@ JointFit fit_finely(std::vector<FoundBall>& found, const ModelChoice& choice, co
   for (const FoundBall& f : found) presses.push_back(&f.fine);
   JointOptions options = choice.options;
   options.watch = [&](int round, double change_mm, const JointFit& now) {
-    job.report(kModelKnown,
-               en::say("solving: round {}, unknowns change by {:.1e} mm", round, change_mm));
+    job.report(kModelKnown, en::say("solving: round {}", round));
     if (!on_round) return;
     double residual_mm = 0;
     for (const double each_mm : quality_of(presses, now, with_inner_zone(options)).residual_mm)

@@ -23,6 +23,7 @@ SessionState example() {
   state.is_locked = false;
   state.controls["usb-Camera_1-index0"] = {{9963795, "Gain", 17}, {10094850, "Exposure", -3}};
   state.recent_fingers = {"/fingers/left \"7\"", "/fingers/b"};
+  state.recent_sources = {"/videos/a b.mkv", "/images"};
   return state;
 }
 

@@ -40,8 +40,16 @@ class Controls {
     for (const auto& [widget, before] : known_)
       if (widget && widget->isVisible() && rect_of(*widget) != before)
         ADD_FAILURE() << after << ": " << described(*widget) << " was at " << text_of(before)
-                      << ", is at " << text_of(rect_of(*widget));
+                      << ", is at " << text_of(rect_of(*widget)) << texts();
     remember();
+  }
+  /// Of the messages that come and go.
+  std::string texts() const {
+    std::string all;
+    for (const auto* text : window_.findChildren<ReservedText*>())
+      if (text->isVisible())
+        all += fmt::format("\n  {}: {}", text_of(rect_of(*text)), text->text().toStdString());
+    return all;
   }
   void remember() {
     known_.clear();

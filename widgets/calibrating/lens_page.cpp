@@ -383,6 +383,23 @@ void LensPage::take_file(const std::filesystem::path& file) {
   Q_EMIT changed();
 }
 
+bool LensPage::take_files(const DroppedFiles& dropped) {
+  if (dropped.files.size() > 1) return false;
+  switch (dropped.kind) {
+    case FileKind::kFolder:
+    case FileKind::kVideo:
+      images_->setText(QString::fromStdString(dropped.files.front().string()));
+      return true;
+    case FileKind::kOther:
+      take_file(dropped.files.front());
+      return true;
+    case FileKind::kFinger:
+    case FileKind::kImages:
+      break;
+  }
+  return false;
+}
+
 void LensPage::use_simulated() {
   const FingerStatus& finger = session_.status().finger;
   if (!finger.finger) return;

@@ -68,6 +68,7 @@ class LensPage : public StepPage {
   [[nodiscard]] QString title() const override { return tr("Lens"); }
   [[nodiscard]] StepState state() const override;
   [[nodiscard]] QString missing() const override;
+  [[nodiscard]] bool take_files(const DroppedFiles& dropped) override;
   void press_pedal() override;
   [[nodiscard]] QVBoxLayout* foot() const override { return foot_; }
   [[nodiscard]] QWidget* main_control() const override;

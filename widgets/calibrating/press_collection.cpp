@@ -210,6 +210,29 @@ void PressCollection::toggle_left_out(const std::string& name) {
     leave_out(name, {});
 }
 
+void PressCollection::toggle_left_out(const std::vector<std::string>& names) {
+  if (names.size() == 1) return toggle_left_out(names.front());
+  const bool are_all_out = std::all_of(names.begin(), names.end(), [this](const std::string& name) {
+    return press_set_.of(name).excluded;
+  });
+  PressSet changed = press_set_;
+  for (const std::string& name : names) {
+    PressNote note = changed.of(name);
+    if (are_all_out)
+      note.excluded.reset();
+    else if (!note.excluded)
+      note.excluded.emplace();
+    changed.say(name, std::move(note));
+  }
+  const int count = static_cast<int>(names.size());
+  change(
+      [are_all_out, count] {
+        return are_all_out ? tr("put %n press(es) back", nullptr, count)
+                           : tr("leave %n press(es) out", nullptr, count);
+      },
+      std::move(changed));
+}
+
 QString PressCollection::toggle_left_out_text(const std::string& name) const {
   return press_set_.of(name).excluded ? tr("&Put back") : tr("Leave o&ut");
 }
@@ -267,11 +290,18 @@ std::string PressCollection::add(std::vector<FramePtr> frames) {
   return first;
 }
 
-void PressCollection::remove(const std::string& name) {
-  const CollectedPress* press = find(name);
-  if (press == nullptr || !press->frame) return;
-  undo_.push(new AddOrRemove(
-      *this, [name] { return tr("remove %1").arg(as_text(name)); }, {press->frame}, false));
+void PressCollection::remove(const std::vector<std::string>& names) {
+  std::vector<FramePtr> frames;
+  for (const std::string& name : names)
+    if (const CollectedPress* press = find(name); press != nullptr && press->frame)
+      frames.push_back(press->frame);
+  if (frames.empty()) return;
+  const int count = static_cast<int>(frames.size());
+  const StepWords words = [count, name = frames.front()->name] {
+    return count > 1 ? tr("remove %n press(es)", nullptr, count)
+                     : tr("remove %1").arg(as_text(name));
+  };
+  undo_.push(new AddOrRemove(*this, words, std::move(frames), false));
 }
 
 void PressCollection::insert(const std::vector<FramePtr>& frames) {

@@ -112,11 +112,14 @@ class PressCollection : public QObject {
   void leave_out(const std::string& name, const std::string& because);
   void use_again(const std::string& name);
   void toggle_left_out(const std::string& name);
+  /// All of them, in one step: left out unless each is so already.
+  void toggle_left_out(const std::vector<std::string>& names);
   /// Label of the button that toggles it.
   [[nodiscard]] QString toggle_left_out_text(const std::string& name) const;
   /// Adds frames under the next free names press_01, press_02, ...; returns the first name.
   std::string add(std::vector<FramePtr> frames);
-  void remove(const std::string& name);
+  /// One step for all of them.
+  void remove(const std::vector<std::string>& names);
   /// Reads images, folders or a video on a background thread and adds them under their own names.
   /// Runs after earlier calls.
   void add_files(const std::vector<std::filesystem::path>& inputs);

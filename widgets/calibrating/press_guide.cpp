@@ -183,9 +183,7 @@ QString waiting_words(PressTaker::State state) {
   if (state == PressTaker::State::kIdle) return {};
   return state == PressTaker::State::kWaits
              ? GuideWords::tr("The press is taken once ball and finger are held still.")
-             : GuideWords::tr(
-                   "Not taken: ball and finger were not held still. Hold them still "
-                   "for half a second.");
+             : GuideWords::tr("Not taken: hold ball and finger still for half a second.");
 }
 
 std::vector<Overlay> guide_overlays(const PressGuidance& frame) {

@@ -316,6 +316,22 @@ PressListView::PressListView(QWidget* parent) : QListView(parent) {
   mark_always();
 }
 
+void PressListView::set_empty_text(const QString& text) {
+  empty_text_ = text;
+  setAccessibleDescription(text);
+  viewport()->update();
+}
+
+void PressListView::paintEvent(QPaintEvent* event) {
+  QListView::paintEvent(event);
+  if (model() == nullptr || model()->rowCount() > 0) return;
+  constexpr int kMargin_px = 12;
+  QPainter painter(viewport());
+  painter.setPen(palette().color(QPalette::PlaceholderText));
+  painter.drawText(viewport()->rect().adjusted(kMargin_px, 0, -kMargin_px, 0),
+                   Qt::AlignCenter | Qt::TextWordWrap, empty_text_);
+}
+
 void PressListView::focusInEvent(QFocusEvent* event) {
   // Qt makes the first row the current one where none is.
   const bool is_by_keys = !currentIndex().isValid() && event->reason() != Qt::MouseFocusReason;

@@ -97,13 +97,23 @@ class PressListView : public QListView {
   Q_OBJECT
  public:
   explicit PressListView(QWidget* parent = nullptr);
+  /// Shown in the middle while there is no press.
+  void set_empty_text(const QString& text);
+  /// As low as two presses: its column makes it higher where there is room.
+  [[nodiscard]] QSize sizeHint() const override {
+    return {QListView::sizeHint().width(), kMinHeight_px};
+  }
+  static constexpr int kMinHeight_px = 150;
 
  protected:
+  void paintEvent(QPaintEvent* event) override;
   void focusInEvent(QFocusEvent* event) override;
   void changeEvent(QEvent* event) override;
 
  private:
   void mark_always();
+
+  QString empty_text_;
 };
 
 }  // namespace alltact

@@ -22,6 +22,7 @@
 #include <QPainterPath>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -29,8 +30,7 @@ namespace alltact {
 namespace {
 
 constexpr int kPressSideWidth = 268;
-constexpr int kMinListHeight = 150;
-constexpr int kForecastLines = 2, kGuideLines = 2, kPressLines = 2;
+constexpr int kForecastLines = 3, kGuideLines = 2, kPressLines = 2;
 constexpr int kDetailsWidth_px = 260;
 
 }  // namespace
@@ -46,6 +46,8 @@ PressesPage::PressesPage(LiveSession& session, PressCollection& collection,
       count_(new ReservedText),
       forecast_words_(new ReservedText(kForecastLines)),
       list_(new PressListView),
+      list_leave_out_(new QAction(list_)),
+      list_remove_(new QAction(list_)),
       add_(new QPushButton),
       leave_out_(new QPushButton),
       remove_(new QPushButton),
@@ -146,6 +148,10 @@ QWidget* PressesPage::make_press() {
   inside->addWidget(press_text_);
   inside->addWidget(fit_pane_->words());
   residual_->setChecked(true);
+  auto* row = new QHBoxLayout;
+  row->addWidget(leave_out_);
+  row->addWidget(remove_);
+  inside->addLayout(row);
   add_widgets(*inside, {residual_, find_, more_});
   more_->setCheckable(true);
   more_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
@@ -158,14 +164,10 @@ QWidget* PressesPage::make_press() {
 
 void PressesPage::make_list(QVBoxLayout& column) {
   list_->setModel(&model_);
-  list_->setMinimumHeight(kMinListHeight);
+  list_->setMinimumHeight(PressListView::kMinHeight_px);
   column.addWidget(count_);
   column.addWidget(forecast_words_);
   column.addWidget(list_, 1);
-  auto* row = new QHBoxLayout;
-  row->addWidget(leave_out_);
-  row->addWidget(remove_);
-  column.addLayout(row);
   column.addWidget(add_);
 }
 
@@ -198,8 +200,10 @@ void PressesPage::connect_parts() {
   connect(list_, &QListView::clicked, this,
           [this](const QModelIndex& at) { show_press(model_.name_at(at.row())); });
   connect(&model_, &QAbstractItemModel::modelReset, this, &PressesPage::show_list);
-  connect(leave_out_, &QPushButton::clicked, this, [this] { collection_.toggle_left_out(shown_); });
-  connect(remove_, &QPushButton::clicked, this, [this] { collection_.remove(shown_); });
+  connect(leave_out_, &QPushButton::clicked, this,
+          [this] { collection_.toggle_left_out(selected()); });
+  connect(remove_, &QPushButton::clicked, this, [this] { collection_.remove(selected()); });
+  make_list_actions();
   connect(add_, &QPushButton::clicked, this, &PressesPage::choose_files);
   connect(radius_, &NumberField::valueChanged, this,
           [this](double value) { collection_.set_radius(value); });
@@ -213,11 +217,32 @@ void PressesPage::connect_parts() {
   connect(find_, &QPushButton::clicked, this, [this] { collection_.find_ball_again(shown_); });
 }
 
+void PressesPage::make_list_actions() {
+  list_->setSelectionMode(QAbstractItemView::ExtendedSelection);
+  list_->setContextMenuPolicy(Qt::ActionsContextMenu);
+  list_remove_->setShortcut(Qt::Key_Delete);
+  for (QAction* action : {list_leave_out_, list_remove_}) {
+    action->setShortcutContext(Qt::WidgetShortcut);
+    list_->addAction(action);
+  }
+  connect(list_leave_out_, &QAction::triggered, leave_out_, &QPushButton::click);
+  connect(list_remove_, &QAction::triggered, remove_, &QPushButton::click);
+}
+
+std::vector<std::string> PressesPage::selected() const {
+  std::vector<std::string> names;
+  for (const QModelIndex& index : list_->selectionModel()->selectedIndexes())
+    names.push_back(model_.name_at(index.row()));
+  if (names.empty() && !shown_.empty()) names.push_back(shown_);
+  return names;
+}
+
 void PressesPage::name_parts() {
   list_->setAccessibleName(tr("Presses"));
   add_->setText(tr("&Add images…"));
   remove_->setText(tr("Re&move"));
   remove_->setToolTip(tr("Removes the press and its image (undo restores them)"));
+  list_remove_->setText(tr("Remove"));
   live_button_->setText(tr("&Live image"));
   residual_->setText(tr("&Error under the ball"));
   residual_->setToolTip(
@@ -246,7 +271,7 @@ void PressesPage::name_parts() {
   take_state_->reserve_for({taken_words(QStringLiteral("press_00"), 1),
                             waiting_words(PressTaker::State::kWaits),
                             waiting_words(PressTaker::State::kRefused)});
-  count_->reserve_for({no_press_text()});
+  list_->set_empty_text(no_press_text());
   show_status();
 }
 
@@ -276,11 +301,21 @@ void PressesPage::choose_files() {
   connect(dialog, &QFileDialog::filesSelected, this, [this](const QStringList& files) {
     std::vector<std::filesystem::path> inputs;
     for (const QString& file : files) inputs.emplace_back(file.toStdString());
-    refused_.reset();
-    show_problems();
-    collection_.add_files(inputs);
+    add_files(inputs);
   });
   show_dialog(*dialog);
+}
+
+void PressesPage::add_files(const std::vector<std::filesystem::path>& files) {
+  refused_.reset();
+  show_problems();
+  collection_.add_files(files);
+}
+
+bool PressesPage::take_files(const DroppedFiles& dropped) {
+  if (!collection_.is_ready() || dropped.kind != FileKind::kImages) return false;
+  add_files(dropped.files);
+  return true;
 }
 
 void PressesPage::show_press(const std::string& name) {
@@ -336,9 +371,7 @@ void PressesPage::show_status() {
   if (!operator_->hasFocus()) operator_->setText(as_text(press_set.operator_name));
   const int count = static_cast<int>(collection_.presses().size());
   const int usable = collection_.usable_count();
-  count_->setText(count == 0
-                      ? no_press_text()
-                      : tr("%n press(es), ", nullptr, count) + tr("%n usable", nullptr, usable));
+  count_->setText(tr("%n press(es), ", nullptr, count) + tr("%n usable", nullptr, usable));
   radius_->setEnabled(collection_.is_ready());
   operator_->setEnabled(collection_.is_ready());
   add_->setEnabled(collection_.is_ready());
@@ -622,12 +655,18 @@ void PressesPage::show_shown() {
   press_button_->setChecked(press != nullptr);
   press_button_->setText(press != nullptr ? as_text(press->name) : tr("Chosen &press"));
   press_button_->setEnabled(!collection_.presses().empty());
+  const bool is_focus_lost =
+      press == nullptr && press_group_->isAncestorOf(QApplication::focusWidget());
   views_->setCurrentIndex(press == nullptr ? 0 : 1);
+  if (is_focus_lost) Q_EMIT focus_released();
   leave_out_->setEnabled(press != nullptr && collection_.is_ready());
   form_->setEnabled(collection_.is_ready());
   remove_->setEnabled(press != nullptr && press->frame);
   leave_out_->setText(
       collection_.toggle_left_out_text(press != nullptr ? press->name : std::string()));
+  list_leave_out_->setText(leave_out_->text());
+  list_leave_out_->setEnabled(leave_out_->isEnabled());
+  list_remove_->setEnabled(remove_->isEnabled());
   leave_out_->setToolTip(tr("A press that is left out stays with the finger and is not used"));
   if (press == nullptr) {
     fit_.reset();
@@ -823,8 +862,7 @@ QString PressesPage::taken_words() const {
 
 QString PressesPage::taken_words(const QString& name, int frames) {
   return frames > 1 ? tr("%1 is taken: the mean of %2 still images.").arg(name).arg(frames)
-                    : tr("%1 comes from a single image. Hold ball and finger still for half a "
-                         "second to reduce its noise to a quarter.")
+                    : tr("%1 is a single image: half a second held still would quarter its noise.")
                           .arg(name);
 }
 

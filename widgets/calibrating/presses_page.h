@@ -87,6 +87,7 @@ class PressesPage : public StepPage {
   [[nodiscard]] QVBoxLayout* foot() const override { return foot_; }
   [[nodiscard]] QWidget* main_control() const override { return take_; }
   [[nodiscard]] QString missing() const override;
+  [[nodiscard]] bool take_files(const DroppedFiles& dropped) override;
   void show_status();
   /// Shows this press' image; empty: the live image.
   void show_press(const std::string& name);
@@ -115,6 +116,10 @@ class PressesPage : public StepPage {
   void follow_source();
   [[nodiscard]] double held_part() const;
   void choose_files();
+  void add_files(const std::vector<std::filesystem::path>& files);
+  void make_list_actions();
+  /// Names of the presses that are selected in the list.
+  [[nodiscard]] std::vector<std::string> selected() const;
   void show_problems();
   void show_list();
   void show_shown();
@@ -153,6 +158,7 @@ class PressesPage : public StepPage {
   std::optional<PressFit> fit_;     // of the press that is shown
   ReservedText *count_, *forecast_words_;
   PressListView* list_;
+  QAction *list_leave_out_, *list_remove_;  // of its selected presses: context menu and keys
   QPushButton *add_, *leave_out_, *remove_;
   QPushButton *live_button_, *press_button_;
   QCheckBox* residual_;

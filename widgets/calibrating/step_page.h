@@ -1,6 +1,7 @@
 // Base class of the pages of a calibration, one a step.
 #pragma once
 
+#include "widgets/shell/dropped_files.h"
 #include "widgets/shell/problem_list.h"
 #include "widgets/widget_base.h"
 
@@ -61,6 +62,8 @@ class StepPage : public Translated<QWidget> {
   Q_OBJECT
  public:
   explicit StepPage(QWidget* parent = nullptr) : Translated(parent) {}
+  /// As Page::take_files().
+  [[nodiscard]] virtual bool take_files(const DroppedFiles& /*dropped*/) { return false; }
   /// What the step could not do, for the window's notification bar.
   [[nodiscard]] std::vector<Problem> problems() const;
   [[nodiscard]] virtual QString title() const = 0;
@@ -84,6 +87,8 @@ class StepPage : public Translated<QWidget> {
   void changed();
   /// problems() may have changed.
   void problems_changed();
+  /// The control with the focus is gone: the focus belongs to what comes next.
+  void focus_released();
 
  protected:
   void set_problems(std::vector<Problem> problems);

@@ -44,6 +44,7 @@ CalibratePage::CalibratePage(LiveSession& session, QUndoStack& undo,
     stack_->addWidget(page);
     connect(page, &StepPage::changed, this, &CalibratePage::show_steps);
     connect(page, &StepPage::problems_changed, this, &CalibratePage::problems_changed);
+    connect(page, &StepPage::focus_released, this, &CalibratePage::focus_next);
   }
   column_->addWidget(stack_, 1);
   foot_row_->setContentsMargins(0, 0, 0, 0);

@@ -60,6 +60,9 @@ class CalibratePage : public Page {
   /// Opens the first step that is not done.
   void begin_next_step() override;
   [[nodiscard]] std::string leads_to() const override;
+  [[nodiscard]] bool take_files(const DroppedFiles& dropped) override {
+    return pages_[step_]->take_files(dropped);
+  }
 
   [[nodiscard]] PressCollection& collection() { return collection_; }
   [[nodiscard]] CalibrationRun& run() { return run_; }

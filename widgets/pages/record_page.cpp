@@ -74,6 +74,7 @@ RecordPage::RecordPage(LiveSession& session, QWidget* parent)
       install_(new QPushButton),
       keep_(new QPushButton),
       again_(new QPushButton),
+      inspect_(new QPushButton),
       onward_(new QPushButton),
       video_(new QPushButton),
       stop_install_(new QPushButton),
@@ -110,6 +111,7 @@ void RecordPage::connect_parts() {
     show_status();
   });
   connect(again_, &QPushButton::clicked, this, &RecordPage::record_again);
+  connect(inspect_, &QPushButton::clicked, this, [this] { Q_EMIT inspect_requested(recorded_); });
   connect(onward_, &QPushButton::clicked, this, [this] { Q_EMIT lead_requested("calibrate"); });
   connect(video_, &QPushButton::clicked, this, [this] {
     ask_for_file(
@@ -186,6 +188,7 @@ void RecordPage::make_result_group(QVBoxLayout& column) {
   line->addWidget(stop_install_);
   add_widgets(*layout, {summary_, judged_, skin_changed_, install_, install_reason_});
   layout->addLayout(other);
+  layout->addWidget(inspect_);
   layout->addLayout(line);
   add_widgets(*layout, {outcome_, onward_, rejected_});
   column.addWidget(result_group_);
@@ -207,6 +210,7 @@ void RecordPage::name_parts() {
   keep_->setText(tr("&Keep for later"));
   keep_->setToolTip(tr("The video stays where it is, and the finger stays as it is."));
   again_->setText(tr("Record a&gain"));
+  inspect_->setText(tr("Inspect t&his recording"));
   onward_->setText(tr("&Go to Calibrate"));
   again_->setToolTip(tr("Moves this video to the trash and records a new one."));
   video_->setText(tr("Install an e&xisting video…"));
@@ -619,6 +623,7 @@ void RecordPage::show_offer(const LiveStatus& status) {
     other->setVisible(!is_installing() && !is_installed);
   }
   again_->setEnabled(again_->isEnabled() && record_->isEnabled());
+  inspect_->setEnabled(status.recording.state != RecordingState::kFinishing);
   onward_->setVisible(is_installed && !is_installing());
   onward_->setEnabled(status.finger.has_reference);
   install_reason_->setText(why);

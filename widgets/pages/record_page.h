@@ -103,7 +103,7 @@ class RecordPage : public Page {
   QLabel *progress_, *space_;
   QStackedWidget* work_;  // how it bends; after a recording, what to do with it
   QLabel* summary_;
-  QPushButton *install_, *keep_, *again_, *onward_, *video_, *stop_install_;
+  QPushButton *install_, *keep_, *again_, *inspect_, *onward_, *video_, *stop_install_;
   QProgressBar* bar_;
   QLabel *install_reason_, *judged_, *outcome_;
   QListWidget* rejected_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/finger/finger_store.h"
+#include "widgets/shell/dropped_files.h"
 #include "widgets/shell/problem_list.h"
 #include "widgets/widget_base.h"
 
@@ -39,6 +40,8 @@ class Page : public Translated<QWidget> {
   virtual void begin_next_step() {}
   /// The open finger's folder has changed.
   virtual void reload() {}
+  /// Opens files that were dropped on this page. False: it has no use for them.
+  [[nodiscard]] virtual bool take_files(const DroppedFiles& /*dropped*/) { return false; }
   /// The page, by its name, that a button of this page leads to now; empty for none.
   [[nodiscard]] virtual std::string leads_to() const { return {}; }
   /// Gives the focus to what comes next: the primary action, or to the page while none is possible.
@@ -53,6 +56,8 @@ class Page : public Translated<QWidget> {
   /// Opens another page to do the next step there.
   void lead_requested(const std::string& name);
   void open_finger_requested();
+  /// A video or a folder of images is to be shown on the page Inspect.
+  void inspect_requested(const std::filesystem::path& recording);
   void new_finger_requested(const alltact::NewFinger& known);
 
  protected:
