@@ -4249,6 +4249,10 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
 <context>
     <name>alltact::PressesPage</name>
     <message>
+        <source>Paused while a press is shown.</source>
+        <translation>Pausiert, solange ein Eindruck gezeigt wird.</translation>
+    </message>
+    <message>
         <source>Remove</source>
         <translation>Entfernen</translation>
     </message>

@@ -4224,6 +4224,10 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
 <context>
     <name>alltact::PressesPage</name>
     <message>
+        <source>Paused while a press is shown.</source>
+        <translation>显示按压时暂停。</translation>
+    </message>
+    <message>
         <source>Remove</source>
         <translation>移除</translation>
     </message>

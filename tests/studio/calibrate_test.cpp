@@ -117,16 +117,18 @@ TEST(Calibrate, TakesPressesByItselfWhenTheyHoldStill) {
   const std::size_t count = rig.collection().presses().size();
   auto* list = rig.studio().find<QListView>("Presses");
   list->setCurrentIndex(list->model()->index(0, 0));
-  ASSERT_FALSE(box->isVisible());
+  const auto* editor = rig.place().findChild<OutlineEditor*>();
+  ASSERT_TRUE(editor->isVisible());
+  EXPECT_TRUE(wait_until([&] { return says(rig.studio(), "Paused while a press is shown."); }));
   const std::uint64_t before = rig.studio().session().status().source.delivered;
   ASSERT_TRUE(wait_until(
       [&] { return rig.studio().session().status().source.delivered > before + 100; }, 40000));
-  EXPECT_FALSE(box->isVisible());
+  EXPECT_TRUE(editor->isVisible());
   EXPECT_EQ(rig.collection().presses().size(), count);
   // It goes on with the live image, and ends with six, although the ball presses on.
   rig.studio().click("Live image");
   ASSERT_TRUE(wait_until([&] { return !box->isChecked(); }, 60000));
-  EXPECT_TRUE(says(rig.studio(), "Six presses are taken."));
+  EXPECT_TRUE(wait_until([&] { return says(rig.studio(), "Six presses are taken."); }));
   ASSERT_TRUE(rig.wait_until_looked_at(6));
   EXPECT_EQ(rig.collection().presses().size(), 6U);
   EXPECT_EQ(rig.collection().usable_count(), 6);

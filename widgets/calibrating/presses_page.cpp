@@ -824,6 +824,7 @@ void PressesPage::take_automatically() {
 QString PressesPage::auto_take_obstacle() const {
   if (is_series_over_) return tr("Six presses are taken. Tick it again to take six more.");
   if (!automatic_->isChecked() || !take_obstacle().isEmpty()) return {};
+  if (!shown_.empty()) return tr("Paused while a press is shown.");
   switch (still_.hold().state) {
     case HoldState::kNothing:
       return is_face_pressed(session_.view()->result)

@@ -137,6 +137,7 @@ InspectionResults::InspectionResults(InspectionOrder order, QWidget* parent)
   table_->setRootIsDecorated(false);
   table_->setUniformRowHeights(true);
   table_->setAllColumnsShowFocus(true);
+  table_->header()->setStretchLastSection(false);
   plot_->setMinimumHeight(kReadingPlotHeight_px);
   problems_->show_in_full();
   problems_->setMinimumHeight(kResultProblemsHeight_px);
@@ -226,7 +227,8 @@ void InspectionResults::show_log() {
           0, QIcon(symbol(meaning_symbol(Meaning::kBad), meaning_colour(Meaning::kBad, palette()),
                           kFailSymbol_px, devicePixelRatioF())));
   }
-  for (int i = 0; i < table_->columnCount(); ++i) table_->resizeColumnToContents(i);
+  table_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  table_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
   const int height_px = std::max(18, table_->sizeHintForRow(0));
   table_->setFixedHeight(table_->header()->sizeHint().height() + 6 +
                          height_px * std::clamp(table_->topLevelItemCount(), 2, 8));

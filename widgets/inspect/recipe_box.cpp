@@ -133,7 +133,7 @@ void RecipeBox::set_options(const InspectOptions& options) {
 
 void RecipeBox::show_frame(const std::shared_ptr<const InspectedFrame>& frame) {
   frame_ = frame;
-  fill();
+  if (!options_.recipe.readings.empty()) fill();
 }
 
 void RecipeBox::fill() {
