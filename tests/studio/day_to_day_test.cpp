@@ -151,7 +151,7 @@ TEST(Start, TryingMakesAFingerAndSaysWhatComesNext) {
   ASSERT_NE(guide, nullptr);
   ASSERT_TRUE(wait_until([&] { return guide->step() == Tutorial::Step::kRecord; }, 30000))
       << studio.problems();
-  EXPECT_TRUE(says(studio, "2 of 5"));
+  EXPECT_TRUE(says(studio, "1 of 4"));
   const auto& finger = studio.session().status().finger;
   EXPECT_TRUE(std::filesystem::exists(finger.folder / "finger.yaml"));
   EXPECT_EQ(finger.finger->face.kind, FaceKind::kFinRay);

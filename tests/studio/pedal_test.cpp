@@ -191,6 +191,9 @@ class QuickPedal : public HidPort {
 /// From the pedal's report through the window to the file: the first press starts a recording, the
 /// second ends it, 0 to 10 ms later.
 TEST(TwoQuickPresses, AreAStartAndAStop) {
+  struct Forgotten {  // the next test has no pedal
+    ~Forgotten() { QSettings().remove(QStringLiteral("pedal/button")); }
+  } forgotten;
   QuickPedal::Said pedal;
   StudioOptions options = simulated();
   options.pedal.list = [] { return std::vector<FoundHid>(); };

@@ -144,6 +144,9 @@ TEST_P(Closing, TakesLessThanASecond) {
 }
 
 bool is_for_people(const QWidget& widget) {
+  const auto* label = qobject_cast<const QLabel*>(&widget);
+  if (label != nullptr && label->text().isEmpty() && label->pixmap().isNull())
+    return false;  // room for a message
   return widget.isVisible() &&
          (widget.focusPolicy() != Qt::NoFocus || qobject_cast<const ImageView*>(&widget) ||
           qobject_cast<const QAbstractButton*>(&widget)) &&

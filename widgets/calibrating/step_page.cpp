@@ -71,6 +71,10 @@ void StepList::show_steps(const std::vector<Step>& steps, std::size_t current) {
   steps_ = steps;
   if (is_new) apply_style();
   buttons_[current]->setChecked(true);
+  // Of buttons that exclude each other Tab goes to the chosen one. Qt sees to that only when a
+  // person chooses.
+  for (std::size_t i = 0; i < buttons_.size(); ++i)
+    buttons_[i]->setFocusPolicy(i == current ? Qt::StrongFocus : Qt::ClickFocus);
 }
 
 void StepList::apply_style() {
