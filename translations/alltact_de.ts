@@ -2321,10 +2321,10 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Geschrieben: %1.</translation>
     </message>
     <message numerus="yes">
-        <source>Pass: all readings of %n frame(s) are within their tolerances with 95 % certainty.</source>
+        <source>Pass: all readings of %n frame(s) are within their tolerances with 95 % certainty each.</source>
         <translation>
-            <numerusform>Bestanden: Alle Messwerte von %n Bild liegen mit 95 % Sicherheit in ihren Toleranzen.</numerusform>
-            <numerusform>Bestanden: Alle Messwerte von %n Bildern liegen mit 95 % Sicherheit in ihren Toleranzen.</numerusform>
+            <numerusform>Bestanden: Alle Messwerte von %n Bild liegen mit je 95 % Sicherheit in ihren Toleranzen.</numerusform>
+            <numerusform>Bestanden: Alle Messwerte von %n Bildern liegen mit je 95 % Sicherheit in ihren Toleranzen.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -4719,8 +4719,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Prüfplan</translation>
     </message>
     <message>
-        <source>Readings to repeat on every frame, with their tolerances. Select a reading between A and B, then *Add to recipe*; or open a recipe.</source>
-        <translation>Messungen, die in jedem Bild wiederholt werden, mit ihren Toleranzen. Wählen Sie eine Messung zwischen A und B, dann *In den Prüfplan*; oder öffnen Sie einen Prüfplan.</translation>
+        <source>Readings to repeat on every frame, with their tolerances. Select a reading between A and B, then Add to recipe; or open a recipe.</source>
+        <translation>Messungen, die in jedem Bild wiederholt werden, mit ihren Toleranzen. Wählen Sie eine Messung zwischen A und B, dann „In den Prüfplan“; oder öffnen Sie einen Prüfplan.</translation>
     </message>
     <message>
         <source>Reading</source>

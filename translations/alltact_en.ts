@@ -146,10 +146,10 @@
 <context>
     <name>alltact::InspectionResults</name>
     <message numerus="yes">
-        <source>Pass: all readings of %n frame(s) are within their tolerances with 95 % certainty.</source>
+        <source>Pass: all readings of %n frame(s) are within their tolerances with 95 % certainty each.</source>
         <translation>
-            <numerusform>Pass: all readings of %n frame are within their tolerances with 95 % certainty.</numerusform>
-            <numerusform>Pass: all readings of %n frames are within their tolerances with 95 % certainty.</numerusform>
+            <numerusform>Pass: all readings of %n frame are within their tolerances with 95 % certainty each.</numerusform>
+            <numerusform>Pass: all readings of %n frames are within their tolerances with 95 % certainty each.</numerusform>
         </translation>
     </message>
     <message numerus="yes">

@@ -2305,9 +2305,9 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>已写入：%1。</translation>
     </message>
     <message numerus="yes">
-        <source>Pass: all readings of %n frame(s) are within their tolerances with 95 % certainty.</source>
+        <source>Pass: all readings of %n frame(s) are within their tolerances with 95 % certainty each.</source>
         <translation>
-            <numerusform>合格：%n 帧的所有读数以 95 % 的置信度在公差内。</numerusform>
+            <numerusform>合格：%n 帧的所有读数各以 95 % 的置信度在公差内。</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -4688,8 +4688,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>检测配方</translation>
     </message>
     <message>
-        <source>Readings to repeat on every frame, with their tolerances. Select a reading between A and B, then *Add to recipe*; or open a recipe.</source>
-        <translation>在每一帧上重复的测量项及其公差。选择 A、B 之间的一个读数，然后*加入配方*；或打开已有配方。</translation>
+        <source>Readings to repeat on every frame, with their tolerances. Select a reading between A and B, then Add to recipe; or open a recipe.</source>
+        <translation>在每一帧上重复的测量项及其公差。选择 A、B 之间的一个读数，然后“加入配方”；或打开已有配方。</translation>
     </message>
     <message>
         <source>Reading</source>

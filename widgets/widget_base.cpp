@@ -8,6 +8,7 @@
 #include <QFileInfo>
 #include <QLocale>
 #include <QPainter>
+#include <QRegularExpression>
 #include <QSettings>
 #include <QStandardPaths>
 #include <algorithm>
@@ -156,6 +157,14 @@ void reserve_room(QWidget& widget) {
   widget.setSizePolicy(policy);
 }
 
+QString without_mnemonic(QString text) {
+  static const QRegularExpression behind(QStringLiteral("\\(&[^&]\\)"));
+  const QChar ampersand(1);
+  text.replace(QLatin1String("&&"), ampersand);
+  text.remove(behind).remove(QLatin1Char('&'));
+  return text.replace(ampersand, QLatin1Char('&'));
+}
+
 QString elided_path(const QString& path, const QFontMetrics& metrics, int room) {
   return metrics.elidedText(path, Qt::ElideLeft, room);
 }
@@ -226,6 +235,18 @@ void ask_for_file(QWidget* parent, FilesOf what, const QString& title, const QSt
 void ask_for_folder(QWidget* parent, FilesOf what, const QString& title, const UsePath& use,
                     const QString& start) {
   ask_for(QFileDialog::Directory, parent, what, title, {}, use, start);
+}
+
+void ask_where_to_save(QWidget* parent, FilesOf what, const QString& title, const QString& ending,
+                       const QString& name, const UsePath& use) {
+  auto* dialog = new QFileDialog(parent, title);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setDefaultSuffix(ending);
+  dialog->setNameFilter(QStringLiteral("*.") + ending);
+  begin_in_last_folder(*dialog, what);
+  if (!name.isEmpty()) dialog->selectFile(name);
+  QObject::connect(dialog, &QFileDialog::fileSelected, dialog, use);
+  show_dialog(*dialog);
 }
 
 AgeLabel::AgeLabel(QWidget* parent) : Translated<QLabel>(parent) {

@@ -120,6 +120,9 @@ class ReservedText : public QLabel {
 /// A widget that comes and goes takes its room also while it is hidden.
 void reserve_room(QWidget& widget);
 
+/// "Live" of "&Live" and of the Chinese "实时(&L)"; "R&R" of "R&&R".
+[[nodiscard]] QString without_mnemonic(QString text);
+
 /// For a menu or a button: at most `room` px wide, with the complete end of the path.
 [[nodiscard]] QString elided_path(const QString& path, const QFontMetrics& metrics, int room);
 
@@ -172,6 +175,9 @@ void ask_for_file(QWidget* parent, FilesOf what, const QString& title, const QSt
                   const UsePath& use, const QString& start = {});
 void ask_for_folder(QWidget* parent, FilesOf what, const QString& title, const UsePath& use,
                     const QString& start = {});
+/// Asks for a file to write. `ending`: without the dot. `name`: that is proposed; may be empty.
+void ask_where_to_save(QWidget* parent, FilesOf what, const QString& title, const QString& ending,
+                       const QString& name, const UsePath& use);
 
 // Age of the shown frame; an old one is highlighted.
 

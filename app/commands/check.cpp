@@ -30,7 +30,7 @@ Console::Json entry_json(const CheckEntry& entry) {
           {"ball_radius_mm", entry.ball_radius_mm},
           {"calibration_date", entry.calibration_date},
           {"program_version", entry.program_version},
-          {"bias_mm", entry.bias_mm ? Console::Json(*entry.bias_mm) : Console::Json()},
+          {"bias_mm", json_of(entry.bias_mm)},
           {"operator", entry.operator_name}};
 }
 
@@ -161,11 +161,8 @@ Status run_check(const Path& folder, Console& console) {
 }
 
 Console::Json anova_json(std::string_view source, const AnovaRow& row) {
-  const auto number = [](const std::optional<double>& value) {
-    return value ? Console::Json(*value) : Console::Json();
-  };
-  return {{"source", source}, {"ss", row.ss},       {"df", row.df},
-          {"ms", row.ms},     {"f", number(row.f)}, {"p", number(row.p)}};
+  return {{"source", source}, {"ss", row.ss},        {"df", row.df},
+          {"ms", row.ms},     {"f", json_of(row.f)}, {"p", json_of(row.p)}};
 }
 
 void print_anova(const GageStudy& study, Console& console) {

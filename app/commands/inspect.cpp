@@ -17,17 +17,13 @@ struct InspectCommand {
   Path recipe, output;
 };
 
-Console::Json number(const std::optional<double>& value) {
-  return value ? Console::Json(*value) : Console::Json();
-}
-
 Console::Json reading_json(const RecipeReading& reading, const ReadingSummary& summary) {
   Console::Json json{{"reading", reading.name},        {"what", to_string(reading.what)},
                      {"unit", unit_of(reading.what)},  {"measured", summary.measured},
                      {"passed", summary.passed},       {"failed", summary.failed},
-                     {"undecided", summary.undecided}, {"mean", number(summary.mean)},
-                     {"sd", number(summary.sd)},       {"min", number(summary.min)},
-                     {"max", number(summary.max)}};
+                     {"undecided", summary.undecided}, {"mean", json_of(summary.mean)},
+                     {"sd", json_of(summary.sd)},      {"min", json_of(summary.min)},
+                     {"max", json_of(summary.max)}};
   if (summary.trend) {
     json["trend"] = summary.trend->value;
     json["trend_sd"] = summary.trend->sd;
@@ -85,7 +81,7 @@ Status run_inspect(const InspectCommand& command, Console& console) {
       return Error{en::say("it is not certain that all readings are within their tolerances"),
                    command.output, en::say("a reading with a smaller uncertainty")};
     case Conformity::kPass:
-      console.say("All readings are within their tolerances with 95 % certainty.");
+      console.say("All readings are within their tolerances with 95 % certainty each.");
       return {};
     case Conformity::kNoTolerance:
       break;

@@ -324,13 +324,6 @@ Status reconstruct_live(std::unique_ptr<Source> source, Pipeline& pipeline,
   return {};
 }
 
-/// 0: all cores that this process may use.
-int threads_of(int requested) {
-  if (requested > 0) return requested;
-  constexpr int kMost = 64;
-  return std::clamp(cv::getNumberOfCPUs(), 1, kMost);
-}
-
 /// The figures of a run, once its files are there.
 Status print_summary(const Progress& progress, const Path& results, Console& console) {
   const std::size_t done = progress.index - progress.failed;
@@ -353,20 +346,14 @@ Status print_summary(const Progress& progress, const Path& results, Console& con
   return {};
 }
 
-/// One pipeline for each thread. They share the large data (ReferenceLibrary::load).
 Result<std::vector<Pipeline>> make_pipelines(const FingerSnapshot& finger,
                                              const ReconstructOptions& options, const Job& job) {
   // 3D images are drawn by one thread.
-  const int thread_count = options.image || options.live ? 1 : threads_of(options.threads);
-  std::vector<Pipeline> pipelines;
-  while (pipelines.size() < static_cast<std::size_t>(thread_count)) {
-    auto pipeline = options.as_paper ? paper_pipeline(finger, job)
-                                     : Pipeline::create(finger, options.pipeline, job);
-    if (!pipeline) return pipeline.error();
-    pipelines.push_back(std::move(*pipeline));
-    if (pipelines.front().has_long_memory()) break;
-  }
-  return pipelines;
+  const int thread_count = options.image || options.live ? 1 : batch_threads(options.threads);
+  return batch_pipelines(thread_count, [&] {
+    return options.as_paper ? paper_pipeline(finger, job)
+                            : Pipeline::create(finger, options.pipeline, job);
+  });
 }
 
 Status reconstruct_all(Source& source, std::vector<Pipeline>& pipelines,
@@ -424,7 +411,7 @@ Status run_reconstruct(const ReconstructOptions& options, Console& console) {
     return Error{en::say("--live gives a line of JSON for each frame already"), "",
                  en::say("without --json")};
   // Each thread has frames of its own.
-  set_opencv_threads(options.live ? threads_of(options.threads) : 1);
+  set_opencv_threads(options.live ? batch_threads(options.threads) : 1);
   const auto finger = open_finger(options.finger, console);
   if (!finger) return finger.error();
   if (!(*finger)->mapping) {

@@ -5,6 +5,7 @@
 #include "core/base/job.h"
 #include "core/base/result.h"
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -55,6 +56,11 @@ class Console {
   Json answer_ = Json::object();
   Job job_;
 };
+
+/// null without a value.
+[[nodiscard]] inline Console::Json json_of(const std::optional<double>& value) {
+  return value ? Console::Json(*value) : Console::Json();
+}
 
 /// As the answer for --json lists them.
 [[nodiscard]] Console::Json in_english(const std::vector<Message>& messages);

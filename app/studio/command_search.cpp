@@ -1,6 +1,5 @@
 #include "app/studio/command_search.h"
 
-#include <QHeaderView>
 #include <QKeyEvent>
 #include <QMenu>
 #include <QMenuBar>
@@ -13,15 +12,6 @@
 namespace alltact {
 namespace {
 
-/// Without the marks of mnemonics: "&Open" and the Chinese "打开(&O)".
-QString without_mnemonic(QString text) {
-  const qsizetype chinese = text.indexOf(QLatin1String("(&"));
-  if (chinese >= 0 && text.mid(chinese + 3, 1) == QLatin1String(")")) text.remove(chinese, 4);
-  text.replace(QLatin1String("&&"), QString(QChar(1)));
-  text.remove(QLatin1Char('&'));
-  return text.replace(QChar(1), QLatin1Char('&')).simplified();
-}
-
 QString keys_of(const QAction& action) {
   QStringList keys;
   for (const QKeySequence& sequence : action.shortcuts())
@@ -32,14 +22,10 @@ QString keys_of(const QAction& action) {
 }  // namespace
 
 CommandSearch::CommandSearch(QMainWindow& window)
-    : FittedDialog(&window), window_(window), words_(new QLineEdit), list_(new QTreeWidget) {
+    : FittedDialog(&window), window_(window), words_(new QLineEdit), list_(new RowList) {
   auto* column = new QVBoxLayout(this);
   add_widgets(*column, {words_, list_});
-  list_->setRootIsDecorated(false);
-  list_->setUniformRowHeights(true);
-  list_->setAllColumnsShowFocus(true);
   list_->setColumnCount(3);
-  list_->header()->setStretchLastSection(false);
   words_->installEventFilter(this);
   words_->setClearButtonEnabled(true);
   connect(words_, &QLineEdit::textChanged, this, &CommandSearch::fill);
@@ -71,7 +57,7 @@ void CommandSearch::collect() {
   for (QAbstractButton* button : window_.centralWidget()->findChildren<QAbstractButton*>()) {
     const bool is_command =
         qobject_cast<QPushButton*>(button) != nullptr || qobject_cast<QToolButton*>(button);
-    const QString name = without_mnemonic(button->text());
+    const QString name = without_mnemonic(button->text()).simplified();
     if (!is_command || !button->isVisible() || !button->isEnabled() || name.isEmpty()) continue;
     commands_.push_back({name, tr("this page"),
                          button->shortcut().toString(QKeySequence::NativeText), nullptr, button});
@@ -103,8 +89,7 @@ void CommandSearch::fill() {
     auto* row = new QTreeWidgetItem(list_, {command.name, command.group, command.keys});
     row->setData(0, Qt::UserRole, static_cast<qulonglong>(i));
   }
-  list_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  list_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+  list_->fit_columns();
   if (list_->topLevelItemCount() > 0) list_->setCurrentItem(list_->topLevelItem(0));
 }
 

@@ -2,6 +2,7 @@
 // their keys. With an empty search it is the list of all shortcuts.
 #pragma once
 
+#include "widgets/controls/row_list.h"
 #include "widgets/widget_base.h"
 
 #include <QAbstractButton>
@@ -9,7 +10,6 @@
 #include <QLineEdit>
 #include <QMainWindow>
 #include <QPointer>
-#include <QTreeWidget>
 #include <vector>
 
 namespace alltact {
@@ -37,7 +37,7 @@ class CommandSearch : public FittedDialog {
   QMainWindow& window_;
   std::vector<Command> commands_;
   QLineEdit* words_;
-  QTreeWidget* list_;
+  RowList* list_;
 };
 
 }  // namespace alltact

@@ -6,7 +6,6 @@
 #include "widgets/theme.h"
 
 #include <QLocale>
-#include <QRegularExpression>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -15,12 +14,6 @@ namespace alltact {
 namespace {
 
 constexpr int kRailIcon = 28, kRailWidth = 76;
-
-/// "&Live" and "实时(&L)" without the mnemonic.
-QString without_letter(QString menu_text) {
-  static const QRegularExpression behind(QStringLiteral("\\(&.\\)"));
-  return menu_text.remove(behind).remove(QLatin1Char('&'));
-}
 
 }  // namespace
 
@@ -67,7 +60,7 @@ void NavigationBar::name_buttons() {
     QAbstractButton* button = buttons_->button(static_cast<int>(i));
     button->setText(pages_[i]->title());
     button->setMinimumWidth(std::max(kRailWidth, button->sizeHint().width()));
-    button->setToolTip(tr("%1 (Ctrl+%2)").arg(without_letter(pages_[i]->menu_text())).arg(i + 1));
+    button->setToolTip(tr("%1 (Ctrl+%2)").arg(without_mnemonic(pages_[i]->menu_text())).arg(i + 1));
   }
 }
 

@@ -32,17 +32,6 @@ std::string line_of(const CheckEntry& entry) {
       entry.bias_mm ? fmt::format("{}", *entry.bias_mm) : std::string(), table_cell(person));
 }
 
-/// The text of table_cell().
-std::string unquoted(const std::string& cell) {
-  if (cell.size() < 2 || cell.front() != '"' || cell.back() != '"') return cell;
-  std::string text;
-  for (std::size_t i = 1; i + 1 < cell.size(); ++i) {
-    text += cell[i];
-    if (cell[i] == '"' && cell[i + 1] == '"' && i + 2 < cell.size()) ++i;
-  }
-  return text;
-}
-
 /// The last one may contain commas.
 std::vector<std::string> parts_of(const std::string& line) {
   std::vector<std::string> parts(1);
@@ -87,7 +76,7 @@ std::optional<CheckEntry> entry_from(const std::string& line) {
     if (!read(parts[10], bias_mm)) return std::nullopt;
     entry.bias_mm = bias_mm;
   }
-  entry.operator_name = unquoted(parts[11]);
+  entry.operator_name = table_cell_text(parts[11]);
   return entry;
 }
 
@@ -118,13 +107,14 @@ CheckVerdict verdict_now(const CheckEntry& entry) {
              : entry.verdict;
 }
 
-const CheckEntry* latest_check(const std::vector<CheckEntry>& history, const Finger& finger) {
-  if (history.empty()) return nullptr;
-  const std::string& checked = history.back().calibration_date;
+bool is_of_calibration(const CheckEntry& entry, const Finger& finger) {
+  const std::string& checked = entry.calibration_date;
   const auto made = finger.provenance.find("calibration_date");
-  const bool is_of_this =
-      checked.empty() || made == finger.provenance.end() || checked == made->second;
-  return is_of_this ? &history.back() : nullptr;
+  return checked.empty() || made == finger.provenance.end() || checked == made->second;
+}
+
+const CheckEntry* latest_check(const std::vector<CheckEntry>& history, const Finger& finger) {
+  return history.empty() || !is_of_calibration(history.back(), finger) ? nullptr : &history.back();
 }
 
 Result<std::vector<CheckEntry>> load_checks(const fs::path& folder,

@@ -46,8 +46,11 @@ inline constexpr const char* kCheckFile = "checks.csv";
 /// Its verdict by the current rule: earlier versions passed with any number of presses.
 [[nodiscard]] CheckVerdict verdict_now(const CheckEntry& entry);
 
-/// The last entry if it belongs to the finger's current calibration, else null. An entry or finger
-/// without a date, as in old files, counts as a match.
+/// True where the entry belongs to the finger's current calibration. An entry or finger without a
+/// date, as in old files, counts as a match.
+[[nodiscard]] bool is_of_calibration(const CheckEntry& entry, const Finger& finger);
+
+/// The last entry if it belongs to the finger's current calibration, else null.
 [[nodiscard]] const CheckEntry* latest_check(const std::vector<CheckEntry>& history,
                                              const Finger& finger);
 

@@ -35,11 +35,8 @@ Result<std::string> name_in(const Table& table, int column) {
 
 /// The check's reading; nullopt: it belongs to another calibration, or lacks bias or operator.
 std::optional<double> reading_of(const CheckEntry& check, const Finger& finger) {
-  const std::string made = provenance_of(finger, "calibration_date");
-  const bool is_current =
-      made.empty() || check.calibration_date.empty() || made == check.calibration_date;
-  if (!is_current || check.operator_name.empty()) return std::nullopt;
-  return check.bias_mm;
+  return is_of_calibration(check, finger) && !check.operator_name.empty() ? check.bias_mm
+                                                                          : std::nullopt;
 }
 
 /// Names of the fingers' folders, with those above where two are the same.

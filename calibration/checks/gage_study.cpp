@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 
 #include <Eigen/Core>
 #include <boost/math/distributions/chi_squared.hpp>

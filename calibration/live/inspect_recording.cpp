@@ -1,21 +1,12 @@
 #include "calibration/live/inspect_recording.h"
 
 #include "calibration/finger/measuring_presets.h"
+#include "core/batch/batch.h"
 #include "core/finger/finger_store.h"
 #include "core/open/open_source.h"
 #include "core/sensing/pipeline.h"
 
-#include <algorithm>
-
-#include <opencv2/core/utility.hpp>
-
 namespace alltact {
-namespace {
-
-constexpr int kMostThreads = 64;
-
-}  // namespace
-
 Result<InspectionLog> inspect_recording(const InspectionOrder& order, const Job& job) {
   const auto finger = open_finger(order.finger);
   if (!finger) return finger.error();
@@ -27,17 +18,11 @@ Result<InspectionLog> inspect_recording(const InspectionOrder& order, const Job&
   how.job = &job;
   auto source = open_source(order.inputs, how);
   if (!source) return source.error();
-  const int threads =
-      order.threads > 0 ? order.threads : std::clamp(cv::getNumberOfCPUs(), 1, kMostThreads);
   const PipelineSettings settings = measuring_settings(order.finger);
-  std::vector<Pipeline> pipelines;
-  while (pipelines.size() < static_cast<std::size_t>(threads)) {
-    auto pipeline = Pipeline::create(**finger, settings, job);
-    if (!pipeline) return pipeline.error();
-    pipelines.push_back(std::move(*pipeline));
-    if (pipelines.front().has_long_memory()) break;
-  }
-  return inspect(**source, pipelines, order.recipe, job);
+  auto pipelines = batch_pipelines(batch_threads(order.threads),
+                                   [&] { return Pipeline::create(**finger, settings, job); });
+  if (!pipelines) return pipelines.error();
+  return inspect(**source, *pipelines, *(*finger)->mapping, order.recipe, job);
 }
 
 }  // namespace alltact

@@ -151,6 +151,16 @@ std::size_t digits_behind_mark(std::string_view cell) {
   return mark == std::string_view::npos ? 0 : cell.size() - mark - 1;
 }
 
+/// What stands between quotes, with each doubled quote as one.
+std::string undoubled(std::string_view quoted) {
+  std::string plain;
+  for (std::size_t i = 0; i < quoted.size(); ++i) {
+    plain += quoted[i];
+    if (quoted[i] == '"') ++i;
+  }
+  return plain;
+}
+
 bool is_open_end(std::string_view text) { return !text.empty() && !is_line_end(text.back()); }
 
 }  // namespace
@@ -162,6 +172,11 @@ std::string table_cell(std::string_view text) {
   std::string cell = "\"";
   for (const char c : text) cell += c == '"' ? "\"\"" : std::string(1, c);
   return cell + '"';
+}
+
+std::string table_cell_text(std::string_view cell) {
+  const bool is_quoted = cell.size() >= 2 && cell.front() == '"' && cell.back() == '"';
+  return is_quoted ? undoubled(cell.substr(1, cell.size() - 2)) : std::string(cell);
 }
 
 Result<Table> Table::open(std::string_view bytes, const std::filesystem::path& origin,
@@ -253,14 +268,7 @@ Table::Line Table::read_line(Cursor& cursor, char separator) {
       }
       if (i >= text.size()) return cursor.at = i, Line::kOpenQuote;
       std::string_view cell = text.substr(begin, i - begin);
-      if (is_doubled) {
-        std::string& plain = unquoted_.emplace_back();
-        for (std::size_t k = 0; k < cell.size(); ++k) {
-          plain += cell[k];
-          if (cell[k] == '"') ++k;
-        }
-        cell = plain;
-      }
+      if (is_doubled) cell = unquoted_.emplace_back(undoubled(cell));
       cells_.push_back(trimmed(cell, " \t\r\n"));
       const std::size_t behind = ++i;
       skip(is_around);

@@ -177,5 +177,7 @@ class Table {
 
 /// A cell as other programs read it: in quotes where it needs them.
 [[nodiscard]] std::string table_cell(std::string_view text);
+/// The text of such a cell.
+[[nodiscard]] std::string table_cell_text(std::string_view cell);
 
 }  // namespace alltact

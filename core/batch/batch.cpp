@@ -5,12 +5,15 @@
 #include "core/numerics/parallel.h"
 #include "core/sensing/result_json.h"
 
+#include <algorithm>
 #include <cassert>
 #include <condition_variable>
 #include <deque>
 #include <map>
 #include <mutex>
 #include <utility>
+
+#include <opencv2/core/utility.hpp>
 
 namespace alltact {
 namespace {
@@ -166,6 +169,23 @@ class Batch {
 };
 
 }  // namespace
+
+int batch_threads(int requested) {
+  constexpr int kMost = 64;
+  return requested > 0 ? requested : std::clamp(cv::getNumberOfCPUs(), 1, kMost);
+}
+
+Result<std::vector<Pipeline>> batch_pipelines(int threads,
+                                              const std::function<Result<Pipeline>()>& make) {
+  std::vector<Pipeline> pipelines;
+  while (pipelines.size() < static_cast<std::size_t>(threads)) {
+    auto pipeline = make();
+    if (!pipeline) return pipeline.error();
+    pipelines.push_back(std::move(*pipeline));
+    if (pipelines.front().has_long_memory()) break;
+  }
+  return pipelines;
+}
 
 Status measure_batch(Source& source, std::vector<Pipeline>& pipelines, const BatchFrames& frames,
                      const BatchWork& work, const Job& job) {

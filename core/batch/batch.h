@@ -60,6 +60,14 @@ struct BatchFrames {
   std::size_t end = std::numeric_limits<std::size_t>::max();
 };
 
+/// Threads of a batch: `requested` or, where that is 0, all cores that this process may use.
+[[nodiscard]] int batch_threads(int requested);
+
+/// One pipeline for each thread, which share the large data (ReferenceLibrary::load); a single one
+/// where it has long-lasting state. Error: the first one of `make`.
+[[nodiscard]] Result<std::vector<Pipeline>> batch_pipelines(
+    int threads, const std::function<Result<Pipeline>()>& make);
+
 struct BatchWork {
   /// Called for each frame as it is read, in order and one at a time. It may set the frame's
   /// problem, which excludes it from measuring. May be empty.

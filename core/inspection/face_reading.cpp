@@ -73,15 +73,20 @@ const std::vector<Measurand>& all_measurands() {
 }
 
 FaceReader::FaceReader(const MeasuredFace& face, cv::Point2d a, cv::Point2d b)
-    : face_(face), a_(a), b_(b), box_(patch(box_of(a, b))) {}
+    : face_(face), a_(a), b_(b) {}
+
+const SurfacePatch& FaceReader::box() {
+  if (!box_) box_ = patch(box_of(a_, b_));
+  return *box_;
+}
 
 SurfacePatch FaceReader::patch(const cv::Rect& box) const {
   return patch_in(face_.result, face_.face, face_.mapping, face_.smoothing_px, box);
 }
 
-FaceReading FaceReader::operator()(Measurand measurand) const {
+FaceReading FaceReader::operator()(Measurand measurand) {
   const auto pressed = [this](MeasuredValue PressedSurface::*member, bool may_be_bound) {
-    const auto part = pressed_part(box_, kPressedMm);
+    const auto part = pressed_part(box(), kPressedMm);
     FaceReading found = reading(part, member);
     found.is_lower_bound = may_be_bound && part && part->is_lower_bound;
     return found;
@@ -92,7 +97,7 @@ FaceReading FaceReader::operator()(Measurand measurand) const {
       return apart ? FaceReading{*apart, {}, false} : FaceReading{{}, apart.error().what, false};
     }
     case Measurand::kRadius:
-      return reading(fit_ball(box_), &FittedBall::radius_mm);
+      return reading(fit_ball(box()), &FittedBall::radius_mm);
     case Measurand::kArea:
       return pressed(&PressedSurface::area_mm2, false);
     case Measurand::kVolume:
@@ -100,7 +105,7 @@ FaceReading FaceReader::operator()(Measurand measurand) const {
     case Measurand::kMeanDepth:
       return pressed(&PressedSurface::mean_mm, true);
     case Measurand::kRoughness:
-      return reading(roughness(box_), &Roughness::sq_mm);
+      return reading(roughness(box()), &Roughness::sq_mm);
     case Measurand::kStep:
       return step();
     case Measurand::kAngle:

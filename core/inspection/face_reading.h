@@ -56,20 +56,21 @@ struct MeasuredFace {
   const cv::Mat& sd_mm;     ///< of the depth, as depth_sd_mm() returns it
 };
 
-/// Reads what lies between two pixels; the patch of the box is extracted once.
+/// Reads what lies between two pixels; the patch of the box is extracted once, where it is needed.
 class FaceReader {
  public:
   FaceReader(const MeasuredFace& face, cv::Point2d a, cv::Point2d b);
-  [[nodiscard]] FaceReading operator()(Measurand measurand) const;
+  [[nodiscard]] FaceReading operator()(Measurand measurand);
 
  private:
+  [[nodiscard]] const SurfacePatch& box();
   [[nodiscard]] SurfacePatch patch(const cv::Rect& box) const;
   [[nodiscard]] FaceReading angle() const;
   [[nodiscard]] FaceReading step() const;
 
   MeasuredFace face_;
   cv::Point2d a_, b_;
-  SurfacePatch box_;
+  std::optional<SurfacePatch> box_;
 };
 
 /// The pixel of a position on the face. A position computed from a pixel gives that pixel again.

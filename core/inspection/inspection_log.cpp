@@ -28,8 +28,8 @@ std::vector<InspectedReading> readings_of(const BatchFrame& frame, const Pipelin
   cv::Mat sd_mm;
   if (result.depth && result.shape && result.reference)
     sd_mm = depth_sd_and_limits(*result.depth, *result.reference, *result.shape, mapping).sd_mm;
-  return inspect_frame(result, pipeline.finger().face, mapping, pipeline.settings().smoothing_px,
-                       sd_mm, recipe);
+  return inspect_frame(
+      {result, pipeline.finger().face, mapping, pipeline.settings().smoothing_px, sd_mm}, recipe);
 }
 
 std::string number(const std::optional<double>& value) {
@@ -130,18 +130,17 @@ Conformity InspectionLog::verdict() const {
   return is_undecided ? Conformity::kUndecided : Conformity::kPass;
 }
 
-std::vector<InspectedReading> inspect_frame(const FrameResult& result, const Face& face,
-                                            const Mapping& mapping, double smoothing_px,
-                                            const cv::Mat& sd_mm, const InspectionRecipe& recipe) {
+std::vector<InspectedReading> inspect_frame(const MeasuredFace& face,
+                                            const InspectionRecipe& recipe) {
+  const FrameResult& result = face.result;
   if (!result.depth)
     return not_measured(recipe, result.problems.empty() ? Message() : result.problems.front());
-  const MeasuredFace measured{result, face, mapping, smoothing_px, sd_mm};
   std::vector<InspectedReading> readings;
   for (const RecipeReading& of : recipe.readings) {
     InspectedReading inspected;
     const auto a = pixel_of(result, of.a), b = pixel_of(result, of.b);
     if (a && b)
-      inspected.reading = FaceReader(measured, *a, *b)(of.what);
+      inspected.reading = FaceReader(face, *a, *b)(of.what);
     else
       inspected.reading.reason = en::say("the frame does not show both positions");
     inspected.conformity = conformity(inspected.reading, of);
@@ -151,20 +150,15 @@ std::vector<InspectedReading> inspect_frame(const FrameResult& result, const Fac
 }
 
 Result<InspectionLog> inspect(Source& source, std::vector<Pipeline>& pipelines,
-                              const InspectionRecipe& recipe, const Job& job) {
-  const Finger& finger = pipelines.front().finger();
-  if (!finger.mapping)
-    return Error{en::say("the finger is not calibrated yet"), "",
-                 en::say("alltact calibrate with ball presses")};
-  const auto mapping = Mapping::create(*finger.mapping);
-  if (!mapping) return mapping.error();
+                              const Mapping& mapping, const InspectionRecipe& recipe,
+                              const Job& job) {
   InspectionLog log{recipe, {}, {}};
   std::mutex lock;
   const auto count = static_cast<double>(source.count().value_or(0));
   std::size_t taken = 0;
   BatchWork work;
   work.write = [&](BatchFrame& frame, const Pipeline& pipeline) -> Result<FrameLine> {
-    InspectedRow row{frame.index, {}, {}, readings_of(frame, pipeline, *mapping, recipe)};
+    InspectedRow row{frame.index, {}, {}, readings_of(frame, pipeline, mapping, recipe)};
     if (frame.frame) {
       row.frame = frame.frame->name;
       row.time_s = time_s(*frame.frame);

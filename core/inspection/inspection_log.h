@@ -53,16 +53,15 @@ struct InspectionLog {
   [[nodiscard]] Conformity verdict() const;
 };
 
-/// Measures all frames. `pipelines`: of a calibrated finger, one for each thread; the log is the
-/// same for any number of them. Errors: those of measure_batch(); a finger without mapping; no
-/// frames; stopped.
+/// Measures all frames. `pipelines`: of the calibrated finger that has this mapping, one for each
+/// thread; the log is the same for any number of them. Errors: those of measure_batch(); no frames;
+/// stopped.
 [[nodiscard]] Result<InspectionLog> inspect(Source& source, std::vector<Pipeline>& pipelines,
-                                            const InspectionRecipe& recipe, const Job& job);
+                                            const Mapping& mapping, const InspectionRecipe& recipe,
+                                            const Job& job);
 
 /// The readings of one measured frame. A frame without depth has none, with the reason.
-[[nodiscard]] std::vector<InspectedReading> inspect_frame(const FrameResult& result,
-                                                          const Face& face, const Mapping& mapping,
-                                                          double smoothing_px, const cv::Mat& sd_mm,
+[[nodiscard]] std::vector<InspectedReading> inspect_frame(const MeasuredFace& face,
                                                           const InspectionRecipe& recipe);
 
 }  // namespace alltact

@@ -76,6 +76,11 @@ struct FrameSummary {
 
 [[nodiscard]] FrameSummary summary_of(const MeasuredFrame& frame);
 
+/// Of a frame with a mapping; `frame` must outlive it.
+[[nodiscard]] inline MeasuredFace face_of(const InspectedFrame& frame) {
+  return {frame.result, frame.face, *frame.mapping, frame.smoothing_px, frame.sd_mm};
+}
+
 // Converts between the points A and B on the face and pixels of a frame.
 
 /// As pixel_of() of the frame's result; nullopt also without a position.

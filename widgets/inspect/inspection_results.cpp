@@ -10,9 +10,7 @@
 #include "widgets/report/document.h"
 #include "widgets/theme.h"
 
-#include <QFileDialog>
 #include <QHBoxLayout>
-#include <QHeaderView>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -31,7 +29,7 @@ QString inspection_verdict_text(const InspectionLog& log) {
   switch (log.verdict()) {
     case Conformity::kPass:
       return InspectionResults::tr(
-          "Pass: all readings of %n frame(s) are within their tolerances with 95 % certainty.",
+          "Pass: all readings of %n frame(s) are within their tolerances with 95 % certainty each.",
           nullptr, frames);
     case Conformity::kFail:
       return InspectionResults::tr("Fail: readings are outside of their tolerance.");
@@ -126,7 +124,7 @@ InspectionResults::InspectionResults(InspectionOrder order, QWidget* parent)
     : FittedDialog(parent),
       order_(std::move(order)),
       verdict_(new ReservedText(2)),
-      table_(new QTreeWidget),
+      table_(new RowList),
       plot_(new ReadingPlot),
       bar_(new QProgressBar),
       problems_(new ProblemList),
@@ -134,10 +132,6 @@ InspectionResults::InspectionResults(InspectionOrder order, QWidget* parent)
       save_table_(new QPushButton),
       save_report_(new QPushButton),
       buttons_(new QDialogButtonBox(QDialogButtonBox::Close)) {
-  table_->setRootIsDecorated(false);
-  table_->setUniformRowHeights(true);
-  table_->setAllColumnsShowFocus(true);
-  table_->header()->setStretchLastSection(false);
   plot_->setMinimumHeight(kReadingPlotHeight_px);
   problems_->show_in_full();
   problems_->setMinimumHeight(kResultProblemsHeight_px);
@@ -212,26 +206,22 @@ void InspectionResults::show_log() {
     const ReadingSummary& one = summaries[i];
     const RecipeReading& reading = log_->recipe.readings[i];
     const int digits = decimals_of(reading.what);
-    auto* row = new QTreeWidgetItem(
-        table_, {QStringLiteral("%1, %2").arg(QString::fromStdString(reading.name),
-                                              unit_text(reading.what)),
-                 number_or_dash(one.mean, digits), number_or_dash(one.sd, digits),
-                 number_or_dash(one.min, digits), number_or_dash(one.max, digits),
-                 trend_text(one, reading.what), plain_number(static_cast<double>(one.passed), 0),
-                 plain_number(static_cast<double>(one.failed), 0),
-                 plain_number(static_cast<double>(one.undecided), 0)});
-    for (int k = 1; k < table_->columnCount(); ++k)
-      row->setTextAlignment(k, Qt::AlignRight | Qt::AlignVCenter);
+    auto* row = table_->add_numbers(
+        {QStringLiteral("%1, %2").arg(QString::fromStdString(reading.name),
+                                      unit_text(reading.what)),
+         number_or_dash(one.mean, digits), number_or_dash(one.sd, digits),
+         number_or_dash(one.min, digits), number_or_dash(one.max, digits),
+         trend_text(one, reading.what), plain_number(static_cast<double>(one.passed), 0),
+         plain_number(static_cast<double>(one.failed), 0),
+         plain_number(static_cast<double>(one.undecided), 0)});
     if (one.failed > 0)
       row->setIcon(
           0, QIcon(symbol(meaning_symbol(Meaning::kBad), meaning_colour(Meaning::kBad, palette()),
                           kFailSymbol_px, devicePixelRatioF())));
   }
-  table_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  table_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
-  const int height_px = std::max(18, table_->sizeHintForRow(0));
-  table_->setFixedHeight(table_->header()->sizeHint().height() + 6 +
-                         height_px * std::clamp(table_->topLevelItemCount(), 2, 8));
+  constexpr int kLeastRows = 2, kMostRows = 8;
+  table_->fit_columns();
+  table_->fit_height(kLeastRows, kMostRows);
   if (table_->topLevelItemCount() > 0) table_->setCurrentItem(table_->topLevelItem(0));
   show_plot();
 }
@@ -244,14 +234,8 @@ void InspectionResults::show_plot() {
 
 void InspectionResults::choose_file(
     const QString& ending, void (InspectionResults::*save)(const std::filesystem::path& file)) {
-  auto* dialog = new QFileDialog(this, tr("Save the inspection"));
-  dialog->setAcceptMode(QFileDialog::AcceptSave);
-  dialog->setDefaultSuffix(ending);
-  dialog->setNameFilter(QStringLiteral("*.") + ending);
-  begin_in_last_folder(*dialog, FilesOf::kExports);
-  connect(dialog, &QFileDialog::fileSelected, this,
-          [this, save](const QString& file) { (this->*save)(file.toStdString()); });
-  show_dialog(*dialog);
+  ask_where_to_save(this, FilesOf::kExports, tr("Save the inspection"), ending, {},
+                    [this, save](const QString& file) { (this->*save)(file.toStdString()); });
 }
 
 void InspectionResults::show_saved(const Status& status, const std::filesystem::path& file) {

@@ -4,6 +4,7 @@
 
 #include "calibration/live/inspect_recording.h"
 #include "widgets/background_work.h"
+#include "widgets/controls/row_list.h"
 #include "widgets/plots/plot.h"
 #include "widgets/shell/problem_list.h"
 #include "widgets/widget_base.h"
@@ -12,7 +13,6 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QTreeWidget>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -70,7 +70,7 @@ class InspectionResults : public FittedDialog {
 
   const InspectionOrder order_;
   ReservedText* verdict_;
-  QTreeWidget* table_;
+  RowList* table_;
   ReadingPlot* plot_;
   QProgressBar* bar_;
   ProblemList* problems_;

@@ -419,8 +419,7 @@ void SurfaceBox::follow_selection() {
 std::vector<SurfaceReading> surface_readings(const InspectedFrame& frame, cv::Point2d a,
                                              cv::Point2d b) {
   if (!frame.result.depth || !frame.mapping) return {};
-  const FaceReader read({frame.result, frame.face, *frame.mapping, frame.smoothing_px, frame.sd_mm},
-                        a, b);
+  FaceReader read(face_of(frame), a, b);
   std::vector<SurfaceReading> all;
   for (const Measurand what : all_measurands()) all.push_back({what, read(what)});
   return all;

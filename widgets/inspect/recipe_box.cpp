@@ -5,10 +5,8 @@
 #include "widgets/theme.h"
 
 #include <QEvent>
-#include <QFileDialog>
 #include <QFormLayout>
 #include <QGridLayout>
-#include <QHeaderView>
 #include <QKeyEvent>
 #include <QLocale>
 #include <QVBoxLayout>
@@ -69,18 +67,14 @@ QString tolerance_text(const RecipeReading& reading) {
 RecipeBox::RecipeBox(QWidget* parent)
     : Translated(parent),
       hint_(wrapped_label()),
-      list_(new QTreeWidget),
+      list_(new RowList),
       problems_(new ProblemList),
       change_(new QPushButton),
       remove_(new QPushButton),
       open_(new QPushButton),
       save_(new QPushButton),
       run_(new QPushButton) {
-  list_->setRootIsDecorated(false);
-  list_->setUniformRowHeights(true);
-  list_->setAllColumnsShowFocus(true);
   list_->setColumnCount(kReadingDecision + 1);
-  list_->header()->setStretchLastSection(false);
   list_->installEventFilter(this);
   auto* column = new QVBoxLayout(this);
   add_widgets(*column, {hint_, list_});
@@ -111,8 +105,7 @@ void RecipeBox::name_parts() {
   setTitle(tr("Recipe"));
   hint_->setText(
       tr("Readings to repeat on every frame, with their tolerances. Select a reading between A and "
-         "B, then *Add to recipe*; or open a recipe.")
-          .remove(QLatin1Char('*')));
+         "B, then Add to recipe; or open a recipe."));
   list_->setHeaderLabels({tr("Reading"), tr("Value"), tr("Decision")});
   list_->setAccessibleName(tr("Readings of the recipe"));
   change_->setText(tr("Name, tolerance…"));
@@ -142,9 +135,7 @@ void RecipeBox::fill() {
   const QSignalBlocker quiet(list_);
   list_->clear();
   std::vector<InspectedReading> now;
-  if (frame_ && frame_->mapping)
-    now = inspect_frame(frame_->result, frame_->face, *frame_->mapping, frame_->smoothing_px,
-                        frame_->sd_mm, options_.recipe);
+  if (frame_ && frame_->mapping) now = inspect_frame(face_of(*frame_), options_.recipe);
   for (std::size_t i = 0; i < readings.size(); ++i) {
     auto* row = new QTreeWidgetItem(list_);
     row->setText(kReadingName, QString::fromStdString(readings[i].name));
@@ -163,17 +154,15 @@ void RecipeBox::fill() {
                  QIcon(symbol(meaning_symbol(meaning), meaning_colour(meaning, palette()),
                               kDecisionSymbol_px, devicePixelRatioF())));
   }
-  list_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  list_->header()->setSectionResizeMode(kReadingName, QHeaderView::Stretch);
+  list_->fit_columns();
   if (before >= 0 && before < list_->topLevelItemCount())
     list_->setCurrentItem(list_->topLevelItem(before));
   const bool is_any = !readings.empty();
   hint_->setVisible(!is_any);
   for (QWidget* widget : std::initializer_list<QWidget*>{list_, change_, remove_, save_, run_})
     widget->setVisible(is_any);
-  const int height_px = std::max(18, list_->sizeHintForRow(0));
-  list_->setFixedHeight(list_->header()->sizeHint().height() + 6 +
-                        height_px * std::clamp(list_->topLevelItemCount(), 2, 8));
+  constexpr int kLeastRows = 2, kMostRows = 8;
+  list_->fit_height(kLeastRows, kMostRows);
   run_->setEnabled(!options_.recording.empty());
   follow_selection();
 }
@@ -235,18 +224,12 @@ void RecipeBox::open() {
 }
 
 void RecipeBox::save() {
-  auto* dialog = new QFileDialog(this, tr("Save the recipe"));
-  dialog->setAcceptMode(QFileDialog::AcceptSave);
-  dialog->setDefaultSuffix(QStringLiteral("yaml"));
-  dialog->setNameFilter(tr("Recipes (*.yaml *.yml)"));
-  begin_in_last_folder(*dialog, FilesOf::kRecipes);
-  connect(dialog, &QFileDialog::fileSelected, this,
-          [this, recipe = options_.recipe](const QString& file) {
-            const Status saved = recipe.save(file.toStdString());
-            problems_->set_problems(saved ? std::vector<Problem>()
-                                          : std::vector{Problem::of(saved.error())});
-          });
-  show_dialog(*dialog);
+  ask_where_to_save(this, FilesOf::kRecipes, tr("Save the recipe"), QStringLiteral("yaml"), {},
+                    [this, recipe = options_.recipe](const QString& file) {
+                      const Status saved = recipe.save(file.toStdString());
+                      problems_->set_problems(saved ? std::vector<Problem>()
+                                                    : std::vector{Problem::of(saved.error())});
+                    });
 }
 
 void RecipeBox::changeEvent(QEvent* event) {

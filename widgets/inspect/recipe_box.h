@@ -4,6 +4,7 @@
 
 #include "core/inspection/inspection_log.h"
 #include "widgets/controls/number_field.h"
+#include "widgets/controls/row_list.h"
 #include "widgets/inspect/inspected_frame.h"
 #include "widgets/shell/problem_list.h"
 #include "widgets/undo_step.h"
@@ -14,7 +15,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QTreeWidget>
 #include <filesystem>
 #include <memory>
 
@@ -64,7 +64,7 @@ class RecipeBox : public Translated<QGroupBox> {
   InspectOptions options_;
   std::shared_ptr<const InspectedFrame> frame_;
   QLabel* hint_;
-  QTreeWidget* list_;
+  RowList* list_;
   ProblemList* problems_;
   QPushButton *change_, *remove_, *open_, *save_, *run_;
 };

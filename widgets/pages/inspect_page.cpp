@@ -13,7 +13,6 @@
 #include "widgets/undo_step.h"
 #include "widgets/widget_base.h"
 
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 #include <cmath>
@@ -358,17 +357,12 @@ void InspectPage::inspect_all() {
 // Opening and saving files in the page Inspect.
 
 void InspectPage::choose_file(const QString& ending) {
-  auto* dialog = new QFileDialog(this, tr("Save what is shown"));
-  dialog->setAcceptMode(QFileDialog::AcceptSave);
-  dialog->setDefaultSuffix(ending);
-  dialog->setNameFilter(QStringLiteral("*.") + ending);
-  begin_in_last_folder(*dialog, FilesOf::kExports);
-  if (const auto& frame = inspection_.frame())
-    dialog->selectFile(QString::fromStdString(frame->result.frame->name) + QLatin1Char('.') +
-                       ending);
-  connect(dialog, &QFileDialog::fileSelected, this,
-          [this](const QString& file) { save(file.toStdString()); });
-  show_dialog(*dialog);
+  const auto& frame = inspection_.frame();
+  const QString name =
+      frame ? QString::fromStdString(frame->result.frame->name) + QLatin1Char('.') + ending
+            : QString();
+  ask_where_to_save(this, FilesOf::kExports, tr("Save what is shown"), ending, name,
+                    [this](const QString& file) { save(file.toStdString()); });
 }
 
 void InspectPage::save(const std::filesystem::path& file) {

@@ -405,7 +405,7 @@ std::vector<FingerCard> read_all_fingers(const std::set<fs::path>& folders,
 FingerListDialog::FingerListDialog(std::vector<fs::path> known, QWidget* parent)
     : FittedDialog(parent),
       known_(std::move(known)),
-      list_(new QTreeWidget),
+      list_(new RowList),
       count_(new QLabel),
       open_(new QPushButton),
       folder_(new QPushButton),
@@ -413,9 +413,7 @@ FingerListDialog::FingerListDialog(std::vector<fs::path> known, QWidget* parent)
       buttons_(new QDialogButtonBox(QDialogButtonBox::Close)) {
   for (const fs::path& folder : known_) folders_.insert(folder.parent_path());
   auto* column = new QVBoxLayout(this);
-  list_->setRootIsDecorated(false);
-  list_->setAllColumnsShowFocus(true);
-  list_->setUniformRowHeights(true);
+  list_->header()->setStretchLastSection(true);  // the folder
   list_->setTextElideMode(Qt::ElideRight);
   list_->setSelectionMode(QAbstractItemView::ExtendedSelection);
   column->addWidget(count_);

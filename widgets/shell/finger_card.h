@@ -3,6 +3,7 @@
 
 #include "calibration/verdict/verdict.h"
 #include "widgets/background_work.h"
+#include "widgets/controls/row_list.h"
 #include "widgets/verdict_text.h"
 #include "widgets/widget_base.h"
 
@@ -14,7 +15,6 @@
 #include <QPushButton>
 #include <QString>
 #include <QToolButton>
-#include <QTreeWidget>
 #include <filesystem>
 #include <optional>
 #include <set>
@@ -134,7 +134,7 @@ class FingerListDialog : public FittedDialog {
   std::vector<std::filesystem::path> known_;
   std::set<std::filesystem::path> folders_;  // to search
   std::vector<FingerCard> cards_;            // most urgent first
-  QTreeWidget* list_;
+  RowList* list_;
   QLabel* count_;
   QPushButton *open_, *folder_, *gage_;
   QDialogButtonBox* buttons_;

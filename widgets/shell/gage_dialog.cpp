@@ -6,7 +6,6 @@
 #include <QClipboard>
 #include <QGuiApplication>
 #include <QHBoxLayout>
-#include <QHeaderView>
 #include <QLocale>
 #include <QVBoxLayout>
 #include <array>
@@ -14,41 +13,16 @@
 namespace alltact {
 namespace {
 
-constexpr int kGageProblemsHeight_px = 64;
+constexpr int kGageProblemsHeight_px = 64, kAllRows = 7;
 constexpr double kWidestTolerance_mm = 1e4;
 
-QTreeWidget* make_table() {
-  auto* table = new QTreeWidget;
-  table->setRootIsDecorated(false);
-  table->setUniformRowHeights(true);
-  table->setAllColumnsShowFocus(true);
-  table->header()->setStretchLastSection(false);
-  return table;
-}
-
-/// The first cell is a name, the others are numbers.
-void add_row(QTreeWidget& table, const QStringList& cells) {
-  auto* row = new QTreeWidgetItem(&table, cells);
-  for (int i = 1; i < static_cast<int>(cells.size()); ++i)
-    row->setTextAlignment(i, Qt::AlignRight | Qt::AlignVCenter);
-}
-
-void set_head(QTreeWidget& table, const QStringList& head) {
+void set_head(RowList& table, const QStringList& head) {
   table.setHeaderLabels(head);
   for (int i = 1; i < static_cast<int>(head.size()); ++i)
     table.headerItem()->setTextAlignment(i, Qt::AlignRight | Qt::AlignVCenter);
 }
 
-void fit_columns(QTreeWidget& table) {
-  table.header()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  table.header()->setSectionResizeMode(0, QHeaderView::Stretch);
-  // As high as its rows: nothing of a table of seven lines is scrolled to.
-  const int rows = std::max(1, table.topLevelItemCount());
-  table.setFixedHeight(table.header()->sizeHint().height() +
-                       rows * std::max(14, table.sizeHintForRow(0)) + 6);
-}
-
-QString as_lines(const QTreeWidget& table) {
+QString as_lines(const RowList& table) {
   const auto line = [&table](const QTreeWidgetItem& row) {
     QStringList cells;
     for (int i = 0; i < table.columnCount(); ++i) cells << row.text(i).trimmed();
@@ -69,8 +43,8 @@ GageDialog::GageDialog(std::vector<std::filesystem::path> fingers, QWidget* pare
       counts_(new ReservedText),
       sentence_(new ReservedText(2)),
       tolerance_(new NumberField),
-      variation_(make_table()),
-      anova_(make_table()),
+      variation_(new RowList),
+      anova_(new RowList),
       problems_(new ProblemList),
       table_(new QPushButton),
       copy_(new QPushButton),
@@ -159,7 +133,7 @@ void GageDialog::read(const Reader& reader) {
 
 void GageDialog::show_study() {
   copy_->setEnabled(study_.has_value());
-  for (QTreeWidget* table : {variation_, anova_}) table->clear();
+  for (RowList* table : {variation_, anova_}) table->clear();
   if (study_) {
     counts_->setText(
         joined({tr("%n part(s)", nullptr, static_cast<int>(study_->parts.size())),
@@ -182,14 +156,14 @@ void GageDialog::show_variation() {
     const GageStudy& study = *study_;
     const auto add = [&](const QString& name, double sd, const SdInterval* range) {
       const double tolerance_mm = tolerance_->value();
-      add_row(*variation_,
-              {name, plain_number(sd, 4),
-               range != nullptr
-                   ? tr("%1 to %2").arg(plain_number(range->low, 4), plain_number(range->high, 4))
-                   : QString(),
-               plain_number(study.percent(sd), 1),
-               tolerance_mm > 0 ? plain_number(GageStudy::percent_of(tolerance_mm, sd), 1)
-                                : QString()});
+      variation_->add_numbers(
+          {name, plain_number(sd, 4),
+           range != nullptr
+               ? tr("%1 to %2").arg(plain_number(range->low, 4), plain_number(range->high, 4))
+               : QString(),
+           plain_number(study.percent(sd), 1),
+           tolerance_mm > 0 ? plain_number(GageStudy::percent_of(tolerance_mm, sd), 1)
+                            : QString()});
     };
     const QString inner(4, QLatin1Char(' '));
     add(tr("Gage R&R"), study.gage, &study.gage_95);
@@ -200,7 +174,8 @@ void GageDialog::show_variation() {
     add(tr("Parts"), study.parts_sd, nullptr);
     add(tr("Total"), study.total_sd, nullptr);
   }
-  fit_columns(*variation_);
+  variation_->fit_columns();
+  variation_->fit_height(1, kAllRows);
 }
 
 void GageDialog::show_anova() {
@@ -209,10 +184,10 @@ void GageDialog::show_anova() {
     const auto add = [this](const QString& name, const AnovaRow& row) {
       if (row.df < 1) return;
       const QLocale locale;
-      add_row(*anova_,
-              {name, locale.toString(row.df), locale.toString(row.ss, 'g', 5),
-               locale.toString(row.ms, 'g', 5), row.f ? plain_number(*row.f, 3) : QString(),
-               row.p ? plain_number(*row.p, 4) : QString()});
+      anova_->add_numbers({name, locale.toString(row.df), locale.toString(row.ss, 'g', 5),
+                           locale.toString(row.ms, 'g', 5),
+                           row.f ? plain_number(*row.f, 3) : QString(),
+                           row.p ? plain_number(*row.p, 4) : QString()});
     };
     add(tr("Parts"), study_->by_part);
     add(tr("Operators"), study_->by_operator);
@@ -221,7 +196,8 @@ void GageDialog::show_anova() {
     add(tr("Repetitions"), study_->repetition);
     add(tr("Total"), study_->total);
   }
-  fit_columns(*anova_);
+  anova_->fit_columns();
+  anova_->fit_height(1, kAllRows);
 }
 
 void GageDialog::copy() const {

@@ -4,13 +4,13 @@
 #include "calibration/checks/gage_readings.h"
 #include "widgets/background_work.h"
 #include "widgets/controls/number_field.h"
+#include "widgets/controls/row_list.h"
 #include "widgets/shell/problem_list.h"
 #include "widgets/widget_base.h"
 
 #include <QDialogButtonBox>
 #include <QLabel>
 #include <QPushButton>
-#include <QTreeWidget>
 #include <filesystem>
 #include <optional>
 #include <vector>
@@ -40,7 +40,7 @@ class GageDialog : public FittedDialog {
   QLabel *intro_, *tolerance_label_;
   ReservedText *counts_, *sentence_;
   NumberField* tolerance_;
-  QTreeWidget *variation_, *anova_;
+  RowList *variation_, *anova_;
   ProblemList* problems_;
   QPushButton *table_, *copy_;
   QDialogButtonBox* buttons_;
