@@ -3,6 +3,7 @@
 #include "calibration/presses/press.h"
 #include "core/image/image_file.h"
 #include "core/numerics/median.h"
+#include "core/numerics/parallel.h"
 #include "core/recording/video_file.h"
 #include "core/sensing/depth/depth_map.h"
 #include "core/sensing/face/face_edges.h"
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
 #include <system_error>
 
 #include <opencv2/imgproc.hpp>
@@ -66,48 +68,130 @@ FrameDots analyse(const cv::Mat& grey, const Camera& camera, const Finger& finge
   return found;
 }
 
+constexpr std::size_t kAtOnce = 16;  // frames that are read and analysed at a time
+
+struct ReadFrame {
+  FramePtr frame;  // null: unreadable, for the reason in `dots.problem`
+  cv::Mat grey;    // oriented as the camera
+  FrameDots dots;
+};
+
+/// Reads frames and writes them to the video, in order.
+class RecordingCopy {
+ public:
+  RecordingCopy(Source& source, const CameraParameters& camera, const fs::path& video,
+                const Job& job)
+      : source_(source),
+        camera_(camera),
+        folder_(video.parent_path()),
+        video_(video, source.frames_per_s()),
+        job_(job) {}
+
+  /// The next frames, up to kAtOnce; none after the last. Errors: a wrong size; a source that fails
+  /// permanently; stopped.
+  Result<std::vector<ReadFrame>> read() {
+    std::vector<ReadFrame> block;
+    while (!is_over_ && block.size() < kAtOnce) {
+      if (job_.stop_requested())
+        return Error{en::say("stopped before the recording was read"), folder_.string(), ""};
+      auto frame = source_.next();
+      if (frame && !*frame) {
+        is_over_ = true;
+        break;
+      }
+      ++count_;
+      if (!frame) {
+        if (fails_permanently()) return frame.error();
+        block.push_back({{}, {}, {{}, {}, {}, frame.error().what}});
+        continue;
+      }
+      is_any_readable_ = true;
+      const Frame& read = **frame;
+      auto grey = oriented_for(camera_, read.grey, en::say("the image"),
+                               read.origin.empty() ? read.name : read.origin,
+                               en::say("a recording from this finger's camera, or the right "
+                                       "camera.size and orientation"));
+      if (!grey) return grey.error();
+      block.push_back({std::move(*frame), std::move(*grey), {}});
+    }
+    return block;
+  }
+  Status write(const std::vector<ReadFrame>& block) {
+    for (const ReadFrame& read : block) {
+      if (!read.frame) continue;
+      if (const Status written = video_.add(*read.frame); !written) return written;
+    }
+    return {};
+  }
+  Status finish() { return video_.finish(); }
+
+ private:
+  /// Such a source must not block.
+  [[nodiscard]] bool fails_permanently() const {
+    constexpr std::size_t kMaxUnreadable = 100;
+    const auto total = source_.count();
+    return total ? count_ > *total : !is_any_readable_ && count_ > kMaxUnreadable;
+  }
+
+  Source& source_;
+  const CameraParameters& camera_;
+  fs::path folder_;
+  ReferenceVideo video_;
+  const Job& job_;
+  std::size_t count_ = 0;
+  bool is_over_ = false, is_any_readable_ = false;
+};
+
+void report_read(const Source& source, std::size_t count, const Job& job) {
+  if (const auto total = source.count(); total && *total > 0)
+    job.report(static_cast<double>(count) / static_cast<double>(*total),
+               en::say("reading frame {} of {}", count + 1, *total));
+}
+
+void add_to(RecordingPass& pass, ReadFrame& read, std::size_t& cached_bytes) {
+  pass.frames.push_back(std::move(read.dots));
+  pass.in_video.push_back(read.frame ? pass.written : -1);
+  if (!read.frame) return;
+  ++pass.written;
+  pass.settings.add(*read.frame);
+  const std::size_t bytes = read.grey.total();
+  const bool has_room = cached_bytes + bytes <= kMaxCachedBytes;
+  pass.greys.push_back(has_room ? read.grey : cv::Mat());
+  if (has_room) cached_bytes += bytes;
+}
+
 }  // namespace
 
 Result<RecordingPass> read_recording(Source& source, const Camera& camera, const Finger& finger,
                                      const Job& job, const fs::path& video) {
   RecordingPass pass;
-  ReferenceVideo writer(video, source.frames_per_s());
-  const auto total = source.count();
+  RecordingCopy copy(source, finger.camera, video, job);
   std::size_t cached_bytes = 0;
-  for (;;) {
-    if (job.stop_requested())
-      return Error{en::say("stopped before the recording was read"), video.parent_path().string(),
-                   ""};
-    const auto frame = source.next();
-    if (frame && !*frame) break;
-    const std::size_t number = pass.frames.size();
-    if (total && *total > 0)
-      job.report(static_cast<double>(number) / static_cast<double>(*total),
-                 en::say("reading frame {} of {}", number + 1, *total));
-    if (!frame) {
-      pass.frames.push_back({{}, {}, {}, frame.error().what});
-      pass.in_video.push_back(-1);
-      // A source that fails permanently must not block.
-      if (total && pass.frames.size() > *total) return frame.error();
-      if (!total && pass.written == 0 && pass.frames.size() > 100) return frame.error();
-      continue;
+  auto block = copy.read();
+  while (block && !block->empty()) {
+    report_read(source, pass.frames.size(), job);
+    // While these are analysed, they are written and the next ones are read.
+    auto next = std::async(std::launch::async, [&]() -> Result<std::vector<ReadFrame>> {
+      if (const Status written = copy.write(*block); !written) return written.error();
+      return copy.read();
+    });
+    std::vector<FrameDots> dots(block->size());
+    parallel_for(static_cast<int>(block->size()), default_threads(), [&](int first, int end) {
+      for (int k = first; k < end; ++k) {
+        const auto i = static_cast<std::size_t>(k);
+        if (const ReadFrame& read = (*block)[i]; read.frame)
+          dots[i] = analyse(read.grey, camera, finger);
+      }
+    });
+    auto following = next.get();
+    for (std::size_t i = 0; i < block->size(); ++i) {
+      if ((*block)[i].frame) (*block)[i].dots = std::move(dots[i]);
+      add_to(pass, (*block)[i], cached_bytes);
     }
-    const auto grey = oriented_for(
-        finger.camera, (*frame)->grey, en::say("the image"),
-        (*frame)->origin.empty() ? (*frame)->name : (*frame)->origin,
-        en::say("a recording from this finger's camera, or the right camera.size and orientation"));
-    if (!grey) return grey.error();
-    pass.settings.add(**frame);
-    pass.frames.push_back(analyse(*grey, camera, finger));
-    const Status written = writer.add(**frame);
-    if (!written) return written.error();
-    pass.in_video.push_back(pass.written++);
-    const std::size_t bytes = grey->total();
-    const bool has_room = cached_bytes + bytes <= kMaxCachedBytes;
-    pass.greys.push_back(has_room ? *grey : cv::Mat());
-    if (has_room) cached_bytes += bytes;
+    block = std::move(following);
   }
-  if (const Status finished = writer.finish(); !finished) return finished.error();
+  if (!block) return block.error();
+  if (const Status finished = copy.finish(); !finished) return finished.error();
   return pass;
 }
 
@@ -126,20 +210,7 @@ Status retain_frames(const fs::path& video, const std::vector<char>& keep, const
       fs::remove(file, ignored);
     }
   } remove{full};
-  auto reader = VideoFile::open(full, job);
-  if (!reader) return reader.error();
-  ReferenceVideo writer(video, reader->frames_per_s());
-  for (std::size_t i = 0; i < keep.size(); ++i) {
-    if (job.stop_requested())
-      return Error{en::say("stopped before the recording was written"), video.string(), ""};
-    if (!keep[i]) continue;
-    job.report(static_cast<double>(i) / static_cast<double>(keep.size()),
-               en::say("writing the accepted frames"));
-    const auto frame = reader->frame(i);
-    if (!frame) return frame.error();
-    if (const Status written = writer.add(**frame); !written) return written;
-  }
-  return writer.finish();
+  return copy_frames(full, video, keep, job);
 }
 
 MarkerTable table_of(const NumberedRecording& numbered, const std::vector<std::size_t>& selected) {
@@ -187,6 +258,7 @@ constexpr int kStudyDegree = 7;
 constexpr double kPatchMm = 1.5;  // a side
 constexpr double kMaxSeconds = 2.0;
 constexpr double kMaxFraction = 0.125;
+constexpr std::size_t kMaxCompared = 240;  // frames: twelve are above the 95th percentile
 constexpr double kRimPx = 4.0;  // next to the face's edges a shift of a tenth of a pixel is visible
 
 struct AnalysedFrame {
@@ -252,6 +324,7 @@ class Study {
       : library_(library), numbered_(numbered) {
     const double most = kMaxFraction * static_cast<double>(library.frame_count());
     gap_ = static_cast<std::size_t>(std::max(1.0, std::min(most, kMaxSeconds * frames_per_s)));
+    apart_ = (library.frame_count() + kMaxCompared - 1) / kMaxCompared;
   }
 
   [[nodiscard]] StudiedFrame frame(std::size_t index, const AnalysedFrame& analysed) const {
@@ -260,6 +333,7 @@ class Study {
     const Markers& markers = numbered_[index];
     for (std::size_t pair = 0; pair < markers.size() / 2; ++pair)
       studied.pairs.push_back(tip_pose(markers, pair, analysed.shape));
+    if (!is_compared(index)) return studied;
     std::vector<char> without(library_.frame_count(), 0);
     const std::size_t first = index > gap_ ? index - gap_ : 0;
     for (std::size_t i = first; i <= index + gap_ && i < without.size(); ++i) without[i] = 1;
@@ -301,9 +375,11 @@ class Study {
     return 0.8 * std::sqrt(std::max(0.0, square / count - patches.noise * patches.noise));
   }
 
+  [[nodiscard]] bool is_compared(std::size_t index) const { return index % apart_ == 0; }
+
   const ReferenceLibrary& library_;
   const std::vector<Markers>& numbered_;
-  std::size_t gap_;
+  std::size_t gap_, apart_;
 };
 
 double quantile_of(std::vector<double> values, double part) {
@@ -323,22 +399,27 @@ Result<RecordingStudy> study_recording(const ReferenceLibrary& library,
   const std::size_t count = library.frame_count();
   const Study study(library, numbered, frames_per_s);
   RecordingStudy result;
-  const auto analysed_at = [&](std::size_t index) -> Result<std::optional<AnalysedFrame>> {
-    const auto grey = frame(static_cast<std::size_t>(library.frame_numbers()[index]));
-    if (!grey) return grey.error();
-    return analyse_frame(*grey, camera, finger);
-  };
-  for (std::size_t i = 0; i < count; ++i) {
+  std::vector<cv::Mat> greys;
+  for (std::size_t first = 0; first < count; first += kAtOnce) {
     if (job.stop_requested())
       return Error{en::say("stopped before the recording was compared"), "", ""};
-    job.report(static_cast<double>(i) / static_cast<double>(count),
-               en::say("comparing frame {} of {}", i + 1, count));
-    const auto analysed = analysed_at(i);
-    if (!analysed) return analysed.error();
-    StudiedFrame studied;
-    studied.number = library.frame_numbers()[i];
-    if (*analysed) studied = study.frame(i, **analysed);
-    result.frames.push_back(std::move(studied));
+    job.report(static_cast<double>(first) / static_cast<double>(count),
+               en::say("comparing frame {} of {}", first + 1, count));
+    greys.clear();
+    for (std::size_t i = first; i < std::min(first + kAtOnce, count); ++i) {
+      auto grey = frame(static_cast<std::size_t>(library.frame_numbers()[i]));
+      if (!grey) return grey.error();
+      greys.push_back(std::move(*grey));
+    }
+    result.frames.resize(first + greys.size());
+    parallel_for(static_cast<int>(greys.size()), default_threads(), [&](int from, int to) {
+      for (int k = from; k < to; ++k) {
+        const std::size_t i = first + static_cast<std::size_t>(k);
+        result.frames[i].number = library.frame_numbers()[i];
+        if (const auto analysed = analyse_frame(greys[static_cast<std::size_t>(k)], camera, finger))
+          result.frames[i] = study.frame(i, *analysed);
+      }
+    });
   }
   std::vector<double> errors, nearest;
   for (std::size_t i = 0; i < count; ++i) {

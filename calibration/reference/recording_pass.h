@@ -27,7 +27,7 @@ struct RecordingPass {
   std::vector<int> in_video;  ///< by frame, its number in the video written; -1: not written
   int written = 0;
   /// By number in the video, the oriented images, so that they need not be decoded again; empty
-  /// beyond the first 512 MB.
+  /// beyond the first 128 MB.
   std::vector<cv::Mat> greys;
   SettingsMonitor settings;
 };
@@ -69,12 +69,12 @@ struct RecordedVideo {
   [[nodiscard]] Result<cv::Mat> frame(std::size_t number);
 };
 
-// Quality of a reference recording: every frame compared with its estimate from the others.
+// Quality of a reference recording: frames compared with their estimates from the others.
 
 /// One frame against the reference that the rest of the recording gives for its pose.
 struct StudiedFrame {
   int number = 0;         ///< in the video
-  bool compared = false;  ///< false: no face was found, or no other frame is near
+  bool compared = false;  ///< false: not chosen, no face was found, or no other frame is near
   double error = 0;       ///< mean |x| over the face in patches of a millimetre or so, minus noise
   double nearest_error = 0;                   ///< the same with the nearest frame alone
   std::vector<std::optional<TipPose>> pairs;  ///< by pair of dots, from base to tip
@@ -87,7 +87,8 @@ struct RecordingStudy {
   double nearest_error_median = 0;
 };
 
-/// Compares every frame with the local regression over the others. Frames taken shortly before and
+/// Compares frames, at most 240 spread over the recording, with the local regression over the
+/// others. Frames taken shortly before and
 /// after show the same pose and are left out (an eighth of the recording, at most two seconds). The
 /// frames must be untouched (contact_search.h). `numbered`: the markers of the library's frames, by
 /// index. Errors: a stopped job; a frame that cannot be read.

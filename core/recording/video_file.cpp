@@ -686,31 +686,40 @@ namespace {
 
 namespace fs = std::filesystem;
 
+struct Copying {
+  std::vector<char> keep;  // by packet
+  Message doing, stopped;
+};
+
 Status copy_packets(const fs::path& from, const fs::path& to,
-                    const std::vector<MatroskaIndex::Block>& blocks, const Job& job) {
+                    const std::vector<MatroskaIndex::Block>& blocks, const Copying& copying,
+                    const Job& job) {
   const auto input = open_video_input(from);
   if (!input) return input.error();
   const AVStream& video = *input->video();
-  const double frames_per_s = video.avg_frame_rate.num > 0 ? av_q2d(video.avg_frame_rate) : 30.0;
+  const double frames_per_s =
+      video.avg_frame_rate.num > 0 ? av_q2d(video.avg_frame_rate) : kTypicalRate;
   auto output = MatroskaFile::create(to, *video.codecpar, frames_per_s);
   if (!output) return output.error();
   const AvPtr<AVPacket> packet(av_packet_alloc());
-  std::size_t copied = 0;
+  std::optional<std::int64_t> first_ms;
+  const std::size_t count = copying.keep.size();
+  std::size_t read = 0;
   // The rest of an interrupted frame follows the last complete block.
-  while (copied < blocks.size() && input->read(*packet) &&
-         packet->pos == blocks[copied].data_bytes_at) {
-    if (job.stop_requested())
-      return Error{en::say("stopped before it was repaired"), from.string(), ""};
-    if (copied % 64 == 0)
-      job.report(static_cast<double>(copied) / static_cast<double>(blocks.size()),
-                 en::say("repairing an interrupted recording"));
+  while (read < std::min(count, blocks.size()) && input->read(*packet) &&
+         packet->pos == blocks[read].data_bytes_at) {
+    if (job.stop_requested()) return Error{copying.stopped, from.string(), ""};
+    if (read % 64 == 0)
+      job.report(static_cast<double>(read) / static_cast<double>(count), copying.doing);
+    if (!copying.keep[read++]) continue;
     av_packet_rescale_ts(packet.get(), video.time_base, {1, 1000});
+    if (!first_ms) first_ms = packet->pts;
+    packet->pts = packet->dts = packet->pts - *first_ms;
     if (Status status = output->write(*packet); !status) return status;
-    ++copied;
   }
-  if (copied < blocks.size())
-    return Error{en::say("only {} of its {} frames could be read", copied, blocks.size()),
-                 from.string(), en::say("another copy of the recording")};
+  if (read < count)
+    return Error{en::say("only {} of its {} frames could be read", read, count), from.string(),
+                 en::say("another copy of the recording")};
   return output->finish();
 }
 
@@ -753,11 +762,25 @@ Result<bool> repair_recording(const fs::path& file, const Job& job) {
   if (index->has_length || index->blocks.empty()) return false;
   if (Status status = check_space(file); !status) return status.error();
   const Status written = write_file_atomically(file, [&](const fs::path& temporary) {
-    return copy_packets(file, temporary, index->blocks, job);
+    return copy_packets(
+        file, temporary, index->blocks,
+        {std::vector<char>(index->blocks.size(), 1), en::say("repairing an interrupted recording"),
+         en::say("stopped before it was repaired")},
+        job);
   });
   if (!written) return written.error();
   remark_lost(file, index->blocks.size());
   return true;
+}
+
+Status copy_frames(const fs::path& from, const fs::path& to, const std::vector<char>& keep,
+                   const Job& job) {
+  const auto index = index_matroska(from);
+  if (!index) return index.error();
+  return copy_packets(from, to, index->blocks,
+                      {keep, en::say("writing the accepted frames"),
+                       en::say("stopped before the recording was written")},
+                      job);
 }
 
 }  // namespace alltact

@@ -147,6 +147,31 @@ bool is_near_face(const SideEdges& edges, const DotSeed& seed, const cv::Mat& gr
   return edges.off_px(u, seed.v, seed.upper) < seed.half_v + kSpreadPx;
 }
 
+/// Marks the window's pixels that lie on the side face, further than the margin from its edge.
+void mask_usable(const SideEdges& edges, bool upper, double margin_px, int rows, Window& w) {
+  std::array<int, kMaxSide> first, last;
+  int all_from = 0, all_to = w.height - 1;  // rows that are usable in every column
+  for (int x = 0; x < w.width; ++x) {
+    const auto on_side = edges.rows(w.u0 + x, upper, margin_px, rows);
+    const int from = first[static_cast<std::size_t>(x)] = on_side.first - w.v0;
+    const int to = last[static_cast<std::size_t>(x)] = on_side.last - w.v0;
+    all_from = std::max(all_from, from);
+    all_to = std::min(all_to, to);
+  }
+  w.all_usable = all_from == 0 && all_to == w.height - 1;
+  for (int y = 0; y < w.height; ++y) {
+    std::uint8_t* usable = &w.usable[w.index(0, y)];
+    if (all_from <= y && y <= all_to) {
+      std::fill_n(usable, w.width, std::uint8_t{1});
+      continue;
+    }
+    for (int x = 0; x < w.width; ++x) {
+      const auto column = static_cast<std::size_t>(x);
+      usable[x] = static_cast<std::uint8_t>((y >= first[column]) & (y <= last[column]));
+    }
+  }
+}
+
 /// Fills the window around a seed, twice the seed's size to each side. Near the view face
 /// the light that its edge spreads is subtracted, so that a dot near the edge is isolated. It is
 /// estimated in the columns on both sides of the seed at the same distance from the edge.
@@ -177,22 +202,7 @@ void load(const cv::Mat& grey, const SideEdges& edges, const DotSeed& seed, Wind
       subtract_light(*light, edges, seed.upper, w);
       margin_px = kOwnEdgePx;
     }
-  std::array<int, kMaxSide> first, last;
-  w.all_usable = true;
-  for (int x = 0; x < w.width; ++x) {
-    const auto rows = edges.rows(w.u0 + x, seed.upper, margin_px, grey.rows);
-    first[static_cast<std::size_t>(x)] = rows.first - w.v0;
-    last[static_cast<std::size_t>(x)] = rows.last - w.v0;
-    w.all_usable = w.all_usable && rows.first <= w.v0 && rows.last >= w.v0 + w.height - 1;
-  }
-  for (int y = 0; y < w.height; ++y) {
-    std::uint8_t* usable = &w.usable[w.index(0, y)];
-    for (int x = 0; x < w.width; ++x) {
-      const auto column = static_cast<std::size_t>(x);
-      const int from = first[column], to = last[column];
-      usable[x] = static_cast<std::uint8_t>((y >= from) & (y <= to));
-    }
-  }
+  mask_usable(edges, seed.upper, margin_px, grey.rows, w);
 }
 
 /// Centre and second moments in the window's pixels, and the type of its boundary.
@@ -206,50 +216,61 @@ struct Region {
 constexpr double kMaxAspect = 20.0;  // side faces are imaged at a grazing angle
 constexpr double kMinArea = 4.0;     // pixels at half height
 
-// Fills a region run by run: each run adds the adjacent runs above and below.
+/// Marks the usable pixels above the threshold with 1, others with 0.
+ALLTACT_WIDE void mark_above(const float* value, const std::uint8_t* usable, float threshold,
+                             std::size_t count, std::uint8_t* above) {
+  for (std::size_t i = 0; i < count; ++i)
+    above[i] =
+        static_cast<std::uint8_t>(usable[i] & static_cast<std::uint8_t>(value[i] > threshold));
+}
+
+// Fills a region run by run: each run adds the adjacent runs above and below. Values are integer
+// grey levels and positions integers, so that all sums are exact.
 class RegionFill {
  public:
   RegionFill(const Window& w, float threshold, int x, int y, const cv::Size& image_size)
-      : w_(w), threshold_(threshold), x_(x), y_(y), image_size_(image_size) {
-    std::fill_n(seen_.begin(), w.width * w.height, std::uint8_t{0});
+      : w_(w), x_(x), y_(y), image_size_(image_size) {
+    mark_above(w.value.data(), w.usable.data(), threshold,
+               static_cast<std::size_t>(w.width) * static_cast<std::size_t>(w.height),
+               waits_.data());
   }
 
   Region operator()() {
     begin(x_, y_);
     while (count_ > 0) {
       const std::uint16_t i = starts_[static_cast<std::size_t>(--count_)];
-      if (!seen_[i]) add_run(i % w_.width, i / w_.width);
+      if (waits_[i] == kWaits) add_run(i % w_.width, i / w_.width);
     }
     return region_;
   }
 
  private:
-  [[nodiscard]] bool stands_out(std::size_t i) const {
-    return w_.usable[i] && w_.value[i] > threshold_;
-  }
+  static constexpr std::uint8_t kWaits = 1, kAdded = 2;  // of pixels above the threshold
+
   void begin(int x, int y) {
     const std::size_t i = w_.index(x, y);
-    if (!seen_[i] && stands_out(i))
+    if (waits_[i] == kWaits)
       starts_[static_cast<std::size_t>(count_++)] = static_cast<std::uint16_t>(i);
   }
 
   void add_run(int x, int y) {
+    std::uint8_t* row = &waits_[w_.index(0, y)];
     int first = x, last = x;
-    while (first > 0 && stands_out(w_.index(first - 1, y))) --first;
-    while (last + 1 < w_.width && stands_out(w_.index(last + 1, y))) ++last;
+    while (first > 0 && row[first - 1] != 0) --first;
+    while (last + 1 < w_.width && row[last + 1] != 0) ++last;
     mark_boundary(first - 1, y);
     mark_boundary(last + 1, y);
-    const double dy = y - y_;
-    double sum_x = 0, sum_xx = 0;
-    for (int column = first; column <= last; ++column) {
-      const std::size_t i = w_.index(column, y);
-      seen_[i] = 1;
-      const double dx = column - x_;
-      sum_x += dx;
-      sum_xx += dx * dx;
-      region_.sum += static_cast<double>(w_.value[i]);
-    }
+    std::fill(row + first, row + last + 1, kAdded);
     const int n = last - first + 1;
+    const double dy = y - y_;
+    const auto squares_below = [](std::int64_t k) { return k * (k + 1) * (2 * k + 1) / 6; };
+    const double sum_x = 0.5 * n * (first - x_ + last - x_);
+    const auto sum_xx =
+        static_cast<double>(squares_below(last - x_) - squares_below(first - x_ - 1));
+    int sum = 0;
+    for (int column = first; column <= last; ++column)
+      sum += static_cast<int>(w_.value[w_.index(column, y)]);
+    region_.sum += sum;
     region_.area += n;
     region_.x += sum_x;
     region_.y += n * dy;
@@ -257,19 +278,23 @@ class RegionFill {
     region_.xy += sum_x * dy;
     region_.yy += n * dy * dy;
     for (const int neighbour : {y - 1, y + 1}) {
-      if (neighbour < 0 || neighbour >= w_.height) {
+      if (neighbour < 0 || neighbour >= w_.height)
         mark_boundary(first, neighbour);
-        continue;
-      }
-      bool before = false;
-      for (int column = first; column <= last; ++column) {
-        const std::size_t i = w_.index(column, neighbour);
-        region_.at_face = region_.at_face || !w_.usable[i];
-        const bool here = stands_out(i);
-        if (here && !before) begin(column, neighbour);
-        before = here;
-      }
+      else
+        add_neighbours(first, last, neighbour);
     }
+  }
+
+  void add_neighbours(int first, int last, int y) {
+    const std::uint8_t* row = &waits_[w_.index(0, y)];
+    std::uint8_t before = 0;
+    for (int column = first; column <= last; ++column) {
+      if (row[column] == kWaits && before == 0) begin(column, y);
+      before = row[column];
+    }
+    if (w_.all_usable || region_.at_face) return;
+    const std::uint8_t* usable = &w_.usable[w_.index(0, y)];
+    region_.at_face = std::find(usable + first, usable + last + 1, 0) != usable + last + 1;
   }
 
   // Records what bounds the region at (x, y).
@@ -284,11 +309,10 @@ class RegionFill {
   }
 
   const Window& w_;
-  float threshold_;
   int x_, y_;
   cv::Size image_size_;
   Region region_;  // moments about (x_, y_), not yet divided by the area
-  std::array<std::uint8_t, kMaxPixels> seen_;
+  std::array<std::uint8_t, kMaxPixels> waits_;
   std::array<std::uint16_t, kMaxPixels> starts_;
   int count_ = 0;
 };

@@ -47,15 +47,15 @@ struct DotSeed {
 template <class Level>
 [[nodiscard]] bool is_peak(const cv::Mat& image, int x, int y) {
   const Level here = image.at<Level>(y, x);
-  for (int dy = -1; dy <= 1; ++dy)
-    for (int dx = -1; dx <= 1; ++dx) {
-      const int nx = x + dx, ny = y + dy;
-      if ((dx == 0 && dy == 0) || nx < 0 || ny < 0 || nx >= image.cols || ny >= image.rows)
-        continue;
-      const bool is_earlier = dy < 0 || (dy == 0 && dx < 0);
-      const Level other = image.at<Level>(ny, nx);
-      if (other > here || (is_earlier && other == here)) return false;
+  const int first_x = x > 0 ? x - 1 : 0, last_x = x + 1 < image.cols ? x + 1 : x;
+  const int first_y = y > 0 ? y - 1 : 0, last_y = y + 1 < image.rows ? y + 1 : y;
+  for (int ny = first_y; ny <= last_y; ++ny) {
+    const Level* row = image.ptr<Level>(ny);
+    for (int nx = first_x; nx <= last_x; ++nx) {
+      const bool is_earlier = ny < y || (ny == y && nx < x);
+      if (row[nx] > here || (is_earlier && row[nx] == here)) return false;
     }
+  }
   return true;
 }
 

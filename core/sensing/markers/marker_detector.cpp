@@ -1,5 +1,6 @@
 #include "core/sensing/markers/marker_detector.h"
 
+#include "core/numerics/dispatch.h"
 #include "core/sensing/markers/dot_measure.h"
 
 #include <algorithm>
@@ -44,6 +45,13 @@ Small shrink(const cv::Mat& grey, const SideEdges& edges) {
   return small;
 }
 
+/// Raises the columns whose view face covers the row to full brightness.
+ALLTACT_WIDE void brighten_face(int y, const int* upper_end, const int* lower_begin, int width,
+                                std::uint8_t* row) {
+  for (int x = 0; x < width; ++x)
+    row[x] = static_cast<std::uint8_t>(row[x] | -((y > upper_end[x]) & (y < lower_begin[x])));
+}
+
 // Difference to the opening by a rectangle wider than any dot. Slow changes of brightness, steps
 // and the view face itself vanish.
 cv::Mat spots(const Small& small, bool bright) {
@@ -52,12 +60,9 @@ cv::Mat spots(const Small& small, bool bright) {
     turned = small.grey.clone();
   else
     cv::subtract(cv::Scalar(255), small.grey, turned);
-  for (int y = 0; y < turned.rows; ++y) {  // the view face at full brightness is never a spot
-    std::uint8_t* row = turned.ptr<std::uint8_t>(y);
-    const int *upper = small.upper_end.data(), *lower = small.lower_begin.data();
-    for (int x = 0; x < turned.cols; ++x)
-      row[x] = static_cast<std::uint8_t>(row[x] | -((y > upper[x]) & (y < lower[x])));
-  }
+  for (int y = 0; y < turned.rows; ++y)  // the view face at full brightness is never a spot
+    brighten_face(y, small.upper_end.data(), small.lower_begin.data(), turned.cols,
+                  turned.ptr<std::uint8_t>(y));
   constexpr int wide = 31;
   cv::Mat opened;
   const cv::Mat kernel = cv::getStructuringElement(cv::MORPH_RECT, cv::Size(wide, wide));
@@ -103,33 +108,43 @@ int threshold_of(const cv::Mat& response, const Small& small) {
   return median + std::max(4, static_cast<int>(4.0 * sd));
 }
 
+/// The spot with its summit at this pixel; nullopt: there is none on a side face, or it is a stripe
+/// or a patch larger than any dot.
+std::optional<Candidate> spot_at(const cv::Mat& response, const Small& small, int x, int y,
+                                 bool bright) {
+  const bool upper = y <= small.upper_end[static_cast<std::size_t>(x)];
+  if (!upper && y < small.lower_begin[static_cast<std::size_t>(x)]) return std::nullopt;
+  if (!is_peak<std::uint8_t>(response, x, y)) return std::nullopt;
+  const int height = response.at<std::uint8_t>(y, x);
+  const int half = height / 2, limit = 24;
+  const int left = walk(response, x, y, -1, 0, half, limit);
+  const int right = walk(response, x, y, 1, 0, half, limit);
+  const int up = walk(response, x, y, 0, -1, half, limit);
+  const int down = walk(response, x, y, 0, 1, half, limit);
+  if (left + right >= 2 * limit || up + down >= 2 * limit) return std::nullopt;
+  const double f = small.factor;
+  DotSeed seed;
+  seed.u = f * (x + 0.5 * (right - left)) + 0.5 * (f - 1);
+  seed.v = f * (y + 0.5 * (down - up)) + 0.5 * (f - 1);
+  seed.half_u = f * (0.5 * (left + right + 1));
+  seed.half_v = f * (0.5 * (up + down + 1));
+  seed.upper = upper;
+  seed.sign = bright ? 1 : -1;
+  return Candidate{height, seed};
+}
+
 std::vector<Candidate> candidates(const Small& small, bool bright, std::size_t max_count) {
   const cv::Mat response = spots(small, bright);
-  const double f = small.factor;
   const int threshold = threshold_of(response, small);
   std::vector<Candidate> found;
   for (int y = 0; y < response.rows; ++y) {
     const std::uint8_t* row = response.ptr<std::uint8_t>(y);
-    for (int x = 0; x < response.cols; ++x) {
-      if (row[x] < threshold) continue;
-      const bool upper = y <= small.upper_end[static_cast<std::size_t>(x)];
-      if (!upper && y < small.lower_begin[static_cast<std::size_t>(x)]) continue;
-      if (!is_peak<std::uint8_t>(response, x, y)) continue;
-      const int half = row[x] / 2, limit = 24;
-      const int left = walk(response, x, y, -1, 0, half, limit);
-      const int right = walk(response, x, y, 1, 0, half, limit);
-      const int up = walk(response, x, y, 0, -1, half, limit);
-      const int down = walk(response, x, y, 0, 1, half, limit);
-      // A stripe or a patch larger than any dot.
-      if (left + right >= 2 * limit || up + down >= 2 * limit) continue;
-      DotSeed seed;
-      seed.u = f * (x + 0.5 * (right - left)) + 0.5 * (f - 1);
-      seed.v = f * (y + 0.5 * (down - up)) + 0.5 * (f - 1);
-      seed.half_u = f * (0.5 * (left + right + 1));
-      seed.half_v = f * (0.5 * (up + down + 1));
-      seed.upper = upper;
-      seed.sign = bright ? 1 : -1;
-      found.push_back({row[x], seed});
+    const std::uint8_t* end = row + response.cols;
+    const auto stands_out = [threshold](std::uint8_t level) { return level >= threshold; };
+    for (const auto* p = std::find_if(row, end, stands_out); p != end;
+         p = std::find_if(p + 1, end, stands_out)) {
+      const auto spot = spot_at(response, small, static_cast<int>(p - row), y, bright);
+      if (spot) found.push_back(*spot);
     }
   }
   std::stable_sort(found.begin(), found.end(),

@@ -115,14 +115,39 @@ TEST_P(Video, OtherProgramsReadTheSameBytes) {
   EXPECT_FALSE(capture.read(image));
 }
 
+std::string bytes_of(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
 TEST_P(Video, TheSameFramesMakeTheSameBytes) {
   ASSERT_TRUE(write(5).ok());
   ASSERT_TRUE(write_video(folder / "w.mkv", GetParam(), 5, {64, 48}, is_jpeg()).ok());
-  std::ifstream a(file, std::ios::binary), b(folder / "w.mkv", std::ios::binary);
-  const std::string first((std::istreambuf_iterator<char>(a)), {});
-  const std::string second((std::istreambuf_iterator<char>(b)), {});
-  EXPECT_GT(first.size(), 1000U);
-  EXPECT_EQ(first, second);
+  EXPECT_GT(bytes_of(file).size(), 1000U);
+  EXPECT_EQ(bytes_of(file), bytes_of(folder / "w.mkv"));
+}
+
+TEST_P(Video, CopiedFramesMakeTheBytesOfReadAndAddedOnes) {
+  ASSERT_TRUE(write().ok());
+  std::vector<char> keep(kFrames, 0);
+  for (const std::size_t i : {3, 4, 5, 17, 39}) keep[i] = 1;
+  ASSERT_TRUE(copy_frames(file, folder / "copied.mkv", keep, Job()).ok());
+  auto video = VideoFile::open(file);
+  ASSERT_TRUE(video.ok());
+  auto writer = VideoWriter::create(folder / "added.mkv", **video->frame(3), GetParam(),
+                                    video->frames_per_s());
+  ASSERT_TRUE(writer.ok());
+  for (std::size_t i = 0; i < kFrames; ++i) {
+    if (keep[i] == 0) continue;
+    ASSERT_TRUE(writer->add(**video->frame(i)).ok());
+  }
+  ASSERT_TRUE(writer->finish().ok());
+  EXPECT_EQ(bytes_of(folder / "copied.mkv"), bytes_of(folder / "added.mkv"));
+
+  keep.resize(kFrames + 1, 0);
+  const Status more = copy_frames(file, folder / "more.mkv", keep, Job());
+  ASSERT_FALSE(more.ok());
+  EXPECT_THAT(more.error().sentence(), HasSubstr("only 40 of its 41 frames could be read"));
 }
 
 TEST_P(Video, EveryFrameIsInTheFileAsSoonAsItWasAdded) {
