@@ -58,13 +58,13 @@ ALLTACT_WIDE void mix_rows(const std::uint8_t* const* rows, const std::int16_t* 
       });
 }
 
-// Rounded so that they still sum to 1: the remainder goes to the largest.
-std::vector<std::int16_t> fixed_weights(const std::vector<float>& weights) {
+// Rounded so that they still sum to `gain`: the remainder goes to the largest.
+std::vector<std::int16_t> fixed_weights(const std::vector<float>& weights, double gain) {
   constexpr double kOne = 1 << kWeightBits;
   std::vector<std::int16_t> rounded(weights.size());
-  double left = kOne, magnitude = 0;
+  double left = gain * kOne, magnitude = 0;
   for (std::size_t i = 0; i < weights.size(); ++i) {
-    const double weight = static_cast<double>(weights[i]);
+    const double weight = gain * static_cast<double>(weights[i]);
     rounded[i] =
         static_cast<std::int16_t>(std::clamp(std::round(kOne * weight), -32767.0, 32767.0));
     left -= rounded[i];
@@ -93,6 +93,41 @@ std::pair<int, int> FaceMix::shown(const FaceGrid& grid) const {
   return {first, std::max(first, end)};
 }
 
+namespace {
+
+constexpr int kSeamColumns = 24;  // of the grid, next to the columns that another mix fills
+constexpr double kMaxSeamGain = 1.5;
+
+/// Mean grey level of a mix over columns of the grid.
+double mean_over(const FaceMix& mix, const FaceGrid& grid, int first, int end) {
+  double sum = 0, pixels = 0;
+  for (const FaceRun& run : grid.runs.runs) {
+    const int from = std::max(run.first, first), to = std::min(run.end, end);
+    if (from >= to) continue;
+    pixels += to - from;
+    for (std::size_t k = 0; k < mix.faces.size(); ++k) {
+      const std::uint8_t* grey = mix.faces[k]->grey.data() + run.before + (from - run.first);
+      sum += static_cast<double>(mix.weights[k]) * std::accumulate(grey, grey + (to - from), 0);
+    }
+  }
+  return pixels > 0 ? sum / pixels : 0.0;
+}
+
+/// Factor by which the further mix continues the nearer one without a step. Frames of further poses
+/// are lit otherwise, which would read as depth over the whole end of the face.
+double seam_gain(const FaceMix& near, const FaceMix& further, const FaceGrid& grid, int first,
+                 int end) {
+  const double have = mean_over(further, grid, first, end);
+  const double need = mean_over(near, grid, first, end);
+  if (!(have > 0) || !(need > 0)) return 1.0;
+  double magnitude = 0;
+  for (const float weight : further.weights) magnitude += static_cast<double>(std::abs(weight));
+  const double most = std::min(kMaxSeamGain, 0.999 * kMaxWeight / magnitude);  // less rounding
+  return std::clamp(need / have, 1.0 / kMaxSeamGain, most);
+}
+
+}  // namespace
+
 /// Columns of the grid for which one mix is used.
 struct ReferenceImage::MixedColumns {
   const FaceMix& mix;
@@ -100,8 +135,12 @@ struct ReferenceImage::MixedColumns {
   std::vector<std::int16_t> weights;
   std::vector<const std::uint8_t*> rows;  // of the faces, where a run begins
 
-  MixedColumns(const FaceMix& of, int from, int to)
-      : mix(of), first(from), end(to), weights(fixed_weights(of.weights)), rows(of.faces.size()) {
+  MixedColumns(const FaceMix& of, double gain, int from, int to)
+      : mix(of),
+        first(from),
+        end(to),
+        weights(fixed_weights(of.weights, gain)),
+        rows(of.faces.size()) {
     CV_Assert(!mix.faces.empty() && mix.faces.size() == mix.weights.size());
   }
 
@@ -128,17 +167,22 @@ ReferenceImage::ReferenceImage(const FaceGrid& grid, const std::vector<FaceMix>&
                                ChartWarp warp, const cv::Size& size)
     : origin_(grid.origin), warp_(std::move(warp)), size_(size) {
   CV_Assert(!mixes.empty());
-  std::pair<int, int> done = mixes.front().shown(grid);
+  const std::pair<int, int> inner = mixes.front().shown(grid);
+  std::pair<int, int> done = inner;
   std::vector<MixedColumns> parts;
-  const auto take = [&](const FaceMix& mix, int first, int end) {
-    if (first < end) parts.emplace_back(mix, first, end);
-  };
-  take(mixes.front(), done.first, done.second);
+  if (done.first < done.second) parts.emplace_back(mixes.front(), 1.0, done.first, done.second);
   std::tie(inner_first_, inner_end_) = columns_within(done.first, done.second);
   for (std::size_t k = 1; k < mixes.size(); ++k) {
     const auto [first, end] = mixes[k].shown(grid);
-    take(mixes[k], first, std::min(end, done.first));
-    take(mixes[k], std::max(first, done.second), end);
+    const auto take = [&](int from, int to, int seam) {
+      if (from >= to) return;
+      const double gain =
+          seam_gain(mixes.front(), mixes[k], grid, std::max({first, inner.first, seam}),
+                    std::min({end, inner.second, seam + kSeamColumns}));
+      parts.emplace_back(mixes[k], gain, from, to);
+    };
+    take(first, std::min(end, done.first), inner.first);
+    take(std::max(first, done.second), end, inner.second - kSeamColumns);
     if (end >= done.first) done.first = std::min(done.first, first);
     if (first <= done.second) done.second = std::max(done.second, end);
   }

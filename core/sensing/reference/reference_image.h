@@ -57,8 +57,8 @@ class ReferenceImage {
   ReferenceImage() = default;
   /// One image, CV_32FC1, stored to 1/64 grey level; NaN where it has no value.
   explicit ReferenceImage(const cv::Mat& grey);
-  /// Sum of weights[i] * faces[i] of the first mix all of whose faces show the skin. `warp` maps
-  /// each pixel of the frame to the grid (bilinear). At least one mix.
+  /// Sum of weights[i] * faces[i] of the first mix whose faces show the skin; further ones are
+  /// scaled to continue it. `warp` maps each pixel to the grid (bilinear). At least one mix.
   ReferenceImage(const FaceGrid& grid, const std::vector<FaceMix>& mixes, ChartWarp warp,
                  const cv::Size& size);
 

@@ -178,7 +178,7 @@ TEST(ReferenceImage, IsTheWeightedSumWhereEveryFrameShowsTheSkin) {
   EXPECT_GT(shown, 20000);
 }
 
-TEST(ReferenceImage, IsTheSecondMixWhereTheFirstDoesNotShowTheSkin) {
+TEST(ReferenceImage, ContinuesByTheSecondMixWhereTheFirstDoesNotShowTheSkin) {
   const test::MarkedFinger finger;
   const FaceChart chart = chart_of(finger.shape({})).value();
   const FaceGrid grid = face_grid(chart, 0.15);
@@ -187,18 +187,21 @@ TEST(ReferenceImage, IsTheSecondMixWhereTheFirstDoesNotShowTheSkin) {
   for (auto values : {&FaceChart::along_mm, &FaceChart::upper_v, &FaceChart::lower_v})
     (shorter.*values).resize(chart.along_mm.size() - kShorter);
   const cv::Size size(finger.width, finger.height);
+  const int border = chart.end() - kShorter;
+  // The second is lit 1.2 times as bright; beyond the first the skin reflects 1.5 times as much.
+  cv::Mat brighter(size, CV_8UC1, cv::Scalar(60));
+  brighter.colRange(border, size.width).setTo(90);
   const FaceImage near = warp_face(cv::Mat(size, CV_8UC1, cv::Scalar(50)), shorter, grid),
-                  further = warp_face(cv::Mat(size, CV_8UC1, cv::Scalar(90)), chart, grid);
+                  further = warp_face(brighter, chart, grid);
   const ReferenceImage image(grid, {{{&near}, {1.0F}}, {{&further}, {1.0F}}},
                              ChartWarp(chart, grid.chart), size);
   const cv::Mat grey = image.grey();
-  const int border = chart.end() - kShorter;
   for (int u = chart.first; u < chart.end(); ++u) {
     const auto i = static_cast<std::size_t>(u - chart.first);
     const int v = static_cast<int>(0.5 * (chart.upper_v[i] + chart.lower_v[i]));
     EXPECT_EQ(image.is_first_mix(u), u < border) << u;
-    if (std::abs(u - border) <= 1) continue;
-    EXPECT_NEAR(grey.at<float>(v, u), u < border ? 50.0 : 90.0, 0.02) << u;
+    if (std::abs(u - border) <= 3) continue;  // reach of the cubic samples
+    EXPECT_NEAR(grey.at<float>(v, u), u < border ? 50.0 : 75.0, 0.3) << u;
   }
 }
 
