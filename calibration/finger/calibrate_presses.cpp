@@ -28,18 +28,13 @@
 namespace alltact {
 namespace {
 
-/// Standard deviation of depth from the mapping's covariance, mm along z: root mean square over its
-/// domain. 0 without a covariance.
-double scale_sd_mm(const MappingParameters& parameters) {
+/// Standard deviation of depth from the mapping's covariance, mm along z, where it reads this
+/// depth. 0 without a covariance.
+double scale_sd_mm(const MappingParameters& parameters, double depth_mm) {
   const auto mapping = Mapping::create(parameters);
   if (!mapping || parameters.covariance.size() == 0) return 0;
-  constexpr int kDomainSteps = 12;
-  double squares = 0;
-  for (int i = 1; i <= kDomainSteps; ++i) {
-    const double sd_mm = mapping->depth_sd_mm(mapping->x_max() * i / kDomainSteps);
-    squares += sd_mm * sd_mm / kDomainSteps;
-  }
-  return std::isfinite(squares) ? std::sqrt(squares) : 0.0;
+  const double sd_mm = mapping->depth_sd_mm(mapping->difference_at(depth_mm));
+  return std::isfinite(sd_mm) ? sd_mm : 0.0;
 }
 
 /// Needs a solved calibration with residuals, pixel and halo figures. `camera` and `face` are those
@@ -77,9 +72,11 @@ CalibrationBasis basis_of(const FingerCalibration& done) {
   basis.positions = coverage.positions;
   basis.thirds = coverage.thirds;
   basis.position_leverage = coverage.leverage;
-  basis.scale_sd_mm = scale_sd_mm(calibration.mapping);
+  basis.scale_sd_mm =
+      scale_sd_mm(calibration.mapping, mean_depth_mm(basis.shallowest_mm, basis.deepest_mm));
   basis.pixel_sd_mm = done.pixel_sd_mm;
   basis.halo_mm = done.halo.is_seen ? done.halo.excess_mm : 0.0;
+  basis.undetected_spread = calibration.undetected_spread;
   if (calibration.radius_sensitivity)
     basis.depth_per_radius = 100 * calibration.radius_sensitivity->depth_part;
   basis.left_out = done.failed_presses;

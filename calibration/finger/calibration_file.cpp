@@ -255,7 +255,10 @@ Result<FingerCalibration> stored_calibration(const fs::path& folder) {
   done.calibration.spread_mm = record->spread_mm;
   done.zones = zone_errors(done.residuals, done.calibration, done.finger.face.kind);
   done.pixel_mm = record->pixel_mm;
-  done.pixel_sd_mm = record->basis ? record->basis->pixel_sd_mm : 0.0;
+  if (record->basis) {
+    done.pixel_sd_mm = record->basis->pixel_sd_mm;
+    done.calibration.undetected_spread = record->basis->undetected_spread;
+  }
   if (record->basis && record->basis->halo_mm > 0) {
     done.halo.is_seen = true;
     done.halo.excess_mm = record->basis->halo_mm;

@@ -353,11 +353,11 @@ void sort_as_given(const std::vector<Press>& presses, std::vector<BallFit>* ball
   });
 }
 
-/// The fit of spread light, if the settings allow it and the presses show it.
-std::optional<LightSpreadFit> seen_light_spread(const std::vector<FoundBall>& found,
-                                                const Face& face,
-                                                const CalibrationSettings& settings, const Job& job,
-                                                SpreadShapes& shapes) {
+/// The test for spread light; nullopt: the settings forbid it, or the presses do not allow it.
+std::optional<LightSpreadFit> tested_light_spread(const std::vector<FoundBall>& found,
+                                                  const Face& face,
+                                                  const CalibrationSettings& settings,
+                                                  const Job& job, SpreadShapes& shapes) {
   const bool is_allowed =
       settings.light_spread == LightSpreadChoice::kAuto && settings.degree == 0 &&
       (settings.family == FamilyChoice::kAuto || settings.family == FamilyChoice::kMoebius) &&
@@ -366,10 +366,8 @@ std::optional<LightSpreadFit> seen_light_spread(const std::vector<FoundBall>& fo
   job.report(0, en::say("looking for light that spreads"));
   std::vector<BallStart> balls;
   for (const FoundBall& one : found) balls.push_back({one.press, one.guess.centre_mm});
-  auto fit = fit_light_spread(
+  return fit_light_spread(
       balls, face, [&](const MappingParameters& mapping) { return shapes.read(mapping); }, job);
-  if (fit && fit->is_seen) return fit;
-  return std::nullopt;
 }
 
 /// The stored covariance, so that the mean error over the domain is at least `least_mm`.
@@ -520,9 +518,13 @@ Result<Calibration> solve_jointly(const std::vector<Press>& presses, std::vector
   }
   const Job spread_job(job, kBallsFound, kSpreadKnown);
   SpreadShapes in_spread_light(presses, face, spread_job);
-  if (const auto spread = seen_light_spread(found, face, settings, spread_job, in_spread_light))
-    return solve_with_spread(presses, found, face, *spread, in_spread_light, job,
-                             std::move(calibration));
+  if (const auto spread = tested_light_spread(found, face, settings, spread_job, in_spread_light)) {
+    calibration.undetected_spread =
+        spread->is_seen ? 0.0 : 1.0 / (1.0 + std::exp(-spread->log_evidence));
+    if (spread->is_seen)
+      return solve_with_spread(presses, found, face, *spread, in_spread_light, job,
+                               std::move(calibration));
+  }
   const std::vector<KnownShape> shapes = known_shapes(
       presses, face, part, settings, Job(job, kSpreadKnown, kShapesKnown), found, &calibration);
   ChoiceInput coarse;

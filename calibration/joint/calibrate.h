@@ -177,7 +177,10 @@ struct Calibration {
   /// over presses and the mapping's covariance. The balls take this error up, so held_out_mm does
   /// not contain it. 0 with one press and with methods other than the joint one.
   double spread_mm = 0;
-  double condition = 0;           ///< of the scaled problem
+  double condition = 0;  ///< of the scaled problem
+  /// Probability, by the presses, that light spreads in the layer although the mapping has none; 1:
+  /// not tested, 0: the mapping has it.
+  double undetected_spread = 1;
   Message degree_choice;          ///< why this family and degree, a sentence
   std::vector<Message> left_out;  ///< presses not used, each with its reason
   std::vector<Message> remarks;   ///< for the user (one press only, ...)

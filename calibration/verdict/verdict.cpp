@@ -115,10 +115,6 @@ constexpr double kMaxLeftOut = 0.5;
 
 double square(double x) { return x * x; }
 
-/// The mean depth under a ball's cap, as a part of its deepest: depth is spread evenly from 0 to
-/// the deepest over the contact's area.
-constexpr double kMeanDepth = 0.5;
-
 /// Neither a depth nor a step was measured, which alone show the effect of scattered light on the
 /// scale. Balls of two radii agree with each other in spite of it.
 bool is_scale_from_balls_alone(const std::vector<double>& radii_mm) {
@@ -133,13 +129,19 @@ std::vector<ErrorPart> parts_of(const CalibrationEvidence& e) {
   const double even = e.positions > 0 ? 2.0 / e.positions : 0.0;
   const double excess = e.position_leverage - even;
   const double leverage = excess <= 0 ? 0.0 : excess;  // NaN stays NaN
-  const double depth_mm = kMeanDepth * e.deepest_mm;
+  const double depth_mm = mean_depth_mm(e.shallowest_mm, e.deepest_mm);
   double radius = 0;
   for (const double radius_mm : e.ball_radii_mm) {
     if (radius_mm == 0) continue;
     const double part = std::abs(e.depth_per_radius) * kRadiusSdMm / radius_mm * depth_mm;
     if (!(part <= radius)) radius = part;
   }
+  const double undetected = e.undetected_spread < kSpreadTestDoubt  // NaN stays NaN
+                                ? kSpreadTestDoubt
+                                : e.undetected_spread;
+  const double body = is_scale_from_balls_alone(e.ball_radii_mm)
+                          ? std::sqrt(undetected) * kBodyShare * depth_mm
+                          : 0.0;
   // An undetermined scale makes depths wrong by their own size at most.
   const double scale = student * kMeanOfSd * e.scale_sd_mm;
   const bool is_bounded = depth_mm > 0 && scale > depth_mm;
@@ -149,8 +151,7 @@ std::vector<ErrorPart> parts_of(const CalibrationEvidence& e) {
       {ErrorCause::kZone, shape * std::sqrt(leverage)},
       {ErrorCause::kHalo, kHaloWeight * e.halo_mm},
       {ErrorCause::kRadius, radius},
-      {ErrorCause::kBody,
-       is_scale_from_balls_alone(e.ball_radii_mm) ? kBodyShare * depth_mm : 0.0}};
+      {ErrorCause::kBody, body}};
   if (!std::isfinite(pixel) || !std::isfinite(shape))
     parts.push_back({ErrorCause::kShape, std::numeric_limits<double>::infinity()});
   for (ErrorPart& part : parts)
@@ -309,6 +310,7 @@ CalibrationEvidence evidence_of(const Finger& finger) {
   evidence.scale_sd_mm = basis.scale_sd_mm;
   evidence.pixel_sd_mm = basis.pixel_sd_mm;
   evidence.halo_mm = basis.halo_mm;
+  evidence.undetected_spread = basis.undetected_spread;
   evidence.position_leverage = basis.position_leverage;
   evidence.depth_per_radius = basis.depth_per_radius;
   evidence.ball_radii_mm = basis.ball_radii_mm;

@@ -95,6 +95,14 @@ inline constexpr double kRadiusSdMm = 0.01;
 /// scatters sideways undetected: 0.05 to 0.155 mm of about 1 mm between balls and punches on 17
 /// white-light sensors. The lower end is used, as most layers scatter less.
 inline constexpr double kBodyShare = 0.05;
+/// Probability that the test for such light is wrong, whatever it says: no layer is quite as the
+/// test assumes.
+inline constexpr double kSpreadTestDoubt = 0.1;
+/// Mean depth inside the contacts of presses, mm: under a ball's cap depth is spread evenly, from 0
+/// to the deepest, over the contact's area.
+[[nodiscard]] inline double mean_depth_mm(double shallowest_mm, double deepest_mm) {
+  return 0.5 * 0.5 * (shallowest_mm + deepest_mm);
+}
 /// Of two equally likely causes one makes an error: half of the variance.
 inline constexpr double kHaloWeight = 0.7071067811865476;
 
@@ -134,6 +142,7 @@ struct CalibrationEvidence {
   double scale_sd_mm = 0;                    ///< 0: unknown
   double pixel_sd_mm = 0;                    ///< without the mapping's share
   double halo_mm = 0;                        ///< 0: not significant
+  double undetected_spread = 1;              ///< see CalibrationBasis
   double position_leverage = 0;              ///< see CalibrationBasis
   double depth_per_radius = 0;               ///< likewise
   std::vector<double> ball_radii_mm;         ///< ascending; 0: a step or a depth was measured

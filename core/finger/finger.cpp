@@ -75,7 +75,8 @@ std::optional<Error> mapping_problem(const MappingParameters& parameters, double
 
 std::optional<Error> basis_problem(const CalibrationBasis& basis) {
   bool is_possible = is_in(basis.plane_z_mm, -1e6, 1e6) && is_in(basis.position_leverage, 0, 1e6) &&
-                     is_in(basis.depth_per_radius, -1000, 1000) && basis.positions >= 0 &&
+                     is_in(basis.depth_per_radius, -1000, 1000) &&
+                     is_in(basis.undetected_spread, 0, 1) && basis.positions >= 0 &&
                      basis.left_out >= 0;
   for (const double length_mm :
        {basis.layer_mm, basis.width_mm, basis.shallowest_mm, basis.deepest_mm, basis.scale_sd_mm,

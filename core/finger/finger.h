@@ -69,9 +69,13 @@ struct CalibrationBasis {
   std::array<int, 3> thirds = {};  ///< of them in base, middle, tip (flat: left, middle, right)
   double position_leverage = 0;    ///< mean over the face, of a line along it; 0: unknown
   double shallowest_mm = 0, deepest_mm = 0;  ///< of the balls
-  double scale_sd_mm = 0;                    ///< of the mapping, root mean square over its domain
+  /// Of the mapping, where it reads the mean depth of the presses' contacts.
+  double scale_sd_mm = 0;
   double pixel_sd_mm = 0;  ///< of a pixel in a contact, without the mapping's share; 0: unknown
   double halo_mm = 0;      ///< light that scatters sideways; 0: not significant
+  /// Probability, by the presses, that light spreads in the layer and the mapping does not know it;
+  /// 1: not tested.
+  double undetected_spread = 1;
   double depth_per_radius = 0;  ///< relative change of depth per relative change of the ball's
                                 ///< radius
   int left_out = 0;             ///< number of given presses that failed

@@ -172,6 +172,8 @@ static void describe(Fields& fields, CalibrationBasis& basis) {
   fields.number("scale_sd_mm", basis.scale_sd_mm, kLength);
   fields.number("pixel_sd_mm", basis.pixel_sd_mm, kLength);
   fields.number("halo_mm", basis.halo_mm, kLength);
+  fields.number(may("undetected_spread", basis.undetected_spread < 1), basis.undetected_spread,
+                {0, 1});
   fields.number("depth_per_radius", basis.depth_per_radius, {-1000, 1000});
   fields.integer("left_out", basis.left_out, 0, kMaxPresses);
   fields.flag("complete", basis.is_complete);

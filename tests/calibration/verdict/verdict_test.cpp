@@ -132,7 +132,7 @@ TEST(Verdict, TheErrorIsTheRootOfTheSquaresOfItsCauses) {
   evidence.position_leverage = 2.0 / 6 + 4;
   const double mean = std::sqrt(2 / M_PI), student = student_factor(5);
   const double shape = student * 0.01, scale = student * mean * 0.05;
-  const double depth = 0.9 / 2, radius = 1.2 * 0.01 / 4 * depth, body = 0.05 * depth;
+  const double depth = (0.4 + 0.9) / 4, radius = 1.2 * 0.01 / 4 * depth, body = 0.05 * depth;
   const Verdict worth = verdict(evidence);
   EXPECT_NEAR(worth.error_mm,
               std::sqrt(shape * shape + scale * scale + 4 * shape * shape + 0.01 * 0.01 / 2 +
@@ -159,6 +159,20 @@ TEST(Verdict, AMeasuredDepthTellsWhatBallsHide) {
   EXPECT_LT(worth.error_mm, alone);
   for (const ErrorPart& part : worth.parts) EXPECT_NE(part.cause, ErrorCause::kBody);
   EXPECT_THAT(worth.sentence.english(), HasSubstr("ball of 8.00 mm diameter"));
+}
+
+TEST(Verdict, BodiesOfOtherShapeCountAsFarAsSpreadLightMayBeUndetected) {
+  const auto body_mm = [](double undetected) {
+    CalibrationEvidence evidence = good_evidence();
+    evidence.undetected_spread = undetected;
+    for (const ErrorPart& part : verdict(evidence).parts)
+      if (part.cause == ErrorCause::kBody) return part.error_mm;
+    return 0.0;
+  };
+  const double untested = body_mm(1);
+  EXPECT_NEAR(untested, 0.05 * (0.4 + 0.9) / 4, 1e-12);
+  EXPECT_NEAR(body_mm(0.25), untested / 2, 1e-12);
+  EXPECT_NEAR(body_mm(0), untested * std::sqrt(0.1), 1e-12) << "no test is certain";
 }
 
 TEST(Verdict, ScatteredLightLowersTheWordByWhatItIsOff) {

@@ -47,7 +47,7 @@ mapping:
   spread_mm: 0.015
   pixel_mm: 0.02
   degree_choice: "two coefficients: least error"
-  basis: {ball_radii_mm: [3.975, 6.0], face_mm: [24.0, 1.5, 0.0], camera: "0123456789abcdef", reference: "a123456789abcdef", positions: 9, thirds: [3, 3, 3], position_leverage: 0.2, depths_mm: [0.1, 0.9], scale_sd_mm: 0.01, pixel_sd_mm: 0.02, halo_mm: 0.001, depth_per_radius: 0.3, left_out: 1, complete: true, contradictions: [radius, layer], contradictions_mm: [[3.0, 9.0, 4.0, 4.1, 4.2], [1.0, 9.0, 1.5, 1.6, 1.7]]}
+  basis: {ball_radii_mm: [3.975, 6.0], face_mm: [24.0, 1.5, 0.0], camera: "0123456789abcdef", reference: "a123456789abcdef", positions: 9, thirds: [3, 3, 3], position_leverage: 0.2, depths_mm: [0.1, 0.9], scale_sd_mm: 0.01, pixel_sd_mm: 0.02, halo_mm: 0.001, undetected_spread: 0.5, depth_per_radius: 0.3, left_out: 1, complete: true, contradictions: [radius, layer], contradictions_mm: [[3.0, 9.0, 4.0, 4.1, 4.2], [1.0, 9.0, 1.5, 1.6, 1.7]]}
 reference: {video: a.mkv, markers: a.csv, places: [100.5, 4.25]}
 )";
 

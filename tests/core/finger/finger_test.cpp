@@ -232,7 +232,8 @@ TEST_F(FingerFile, KeepsWhatACalibrationRestsOn) {
       "camera: "
       "\"0123456789abcdef\", reference: \"\", positions: 5, thirds: [1, 3, 1], position_leverage: "
       "0.5, depths_mm: [0.4, 1.1], scale_sd_mm: 0.012, pixel_sd_mm: 0.01, halo_mm: 0.0, "
-      "depth_per_radius: -1.25, left_out: 1, complete: true, contradictions: "
+      "undetected_spread: 0.25, depth_per_radius: -1.25, left_out: 1, complete: true, "
+      "contradictions: "
       "[\"depth_beyond_mapping\"], contradictions_mm: [[2.0, 6.0, 1.1, 1.2, 1.3]]}\n";
   std::string text = kFinRay;
   text.insert(text.find("reference:\n  video"), line);
@@ -245,6 +246,7 @@ TEST_F(FingerFile, KeepsWhatACalibrationRestsOn) {
   EXPECT_EQ(basis.camera, "0123456789abcdef");
   EXPECT_EQ(basis.thirds, (std::array<int, 3>{1, 3, 1}));
   EXPECT_EQ(basis.deepest_mm, 1.1);
+  EXPECT_EQ(basis.undetected_spread, 0.25);
   EXPECT_EQ(basis.depth_per_radius, -1.25);
   ASSERT_EQ(basis.contradictions.size(), 1U);
   EXPECT_EQ(basis.contradictions[0],
