@@ -5781,6 +5781,70 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
 <context>
     <name>alltact::SurfaceBox</name>
     <message>
+        <source>Roughness without</source>
+        <translation>Rauheit ohne</translation>
+    </message>
+    <message>
+        <source>a plane</source>
+        <translation>eine Ebene</translation>
+    </message>
+    <message>
+        <source>a form of degree 2</source>
+        <translation>eine Form 2. Grades</translation>
+    </message>
+    <message>
+        <source>a form of degree 3</source>
+        <translation>eine Form 3. Grades</translation>
+    </message>
+    <message>
+        <source>a form of degree 4</source>
+        <translation>eine Form 4. Grades</translation>
+    </message>
+    <message>
+        <source>Form that is no roughness</source>
+        <translation>Form, die keine Rauheit ist</translation>
+    </message>
+    <message>
+        <source>Bends of the finger and of the pressing object do not count as roughness.</source>
+        <translation>Biegungen des Fingers und des drückenden Gegenstands zählen nicht als Rauheit.</translation>
+    </message>
+    <message>
+        <source>Wavelengths up to</source>
+        <translation>Wellenlängen bis</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>alle</translation>
+    </message>
+    <message>
+        <source>Longest wavelength of roughness</source>
+        <translation>Größte Wellenlänge der Rauheit</translation>
+    </message>
+    <message>
+        <source>Lambda c: longer waves do not count as roughness (Gaussian filter, ISO 16610-61). Usual: 0.25, 0.8, 2.5 mm.</source>
+        <translation>Lambda c: Längere Wellen zählen nicht als Rauheit (Gauß-Filter, ISO 16610-61). Üblich: 0,25, 0,8, 2,5 mm.</translation>
+    </message>
+    <message>
+        <source>change the form that is no roughness</source>
+        <translation>Form ohne Rauheit ändern</translation>
+    </message>
+    <message>
+        <source>change the roughness' longest wavelength</source>
+        <translation>größte Wellenlänge der Rauheit ändern</translation>
+    </message>
+    <message>
+        <source>without a form of degree %1</source>
+        <translation>ohne eine Form %1. Grades</translation>
+    </message>
+    <message>
+        <source>wavelengths up to %1 mm</source>
+        <translation>Wellenlängen bis %1 mm</translation>
+    </message>
+    <message>
         <source>Add to recipe</source>
         <translation>In den Prüfplan</translation>
     </message>
@@ -6379,6 +6443,22 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
 </context>
 <context>
     <name>alltact::en</name>
+    <message>
+        <source>lambda_c of {} mm is less than five pixels here</source>
+        <translation>Lambda c von {} mm ist hier weniger als fünf Pixel</translation>
+    </message>
+    <message>
+        <source>{:.2f} mm or more</source>
+        <translation>{:.2f} mm oder mehr</translation>
+    </message>
+    <message>
+        <source>the piece is smaller than lambda_c of {} mm</source>
+        <translation>das Stück ist kleiner als Lambda c von {} mm</translation>
+    </message>
+    <message>
+        <source>a larger piece, or a smaller lambda_c</source>
+        <translation>ein größeres Stück oder ein kleineres Lambda c</translation>
+    </message>
     <message>
         <source>{} of {:.0f}: {}</source>
         <translation>{} von {:.0f}: {}</translation>

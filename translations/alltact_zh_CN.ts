@@ -5736,6 +5736,70 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
 <context>
     <name>alltact::SurfaceBox</name>
     <message>
+        <source>Roughness without</source>
+        <translation>粗糙度不含</translation>
+    </message>
+    <message>
+        <source>a plane</source>
+        <translation>平面</translation>
+    </message>
+    <message>
+        <source>a form of degree 2</source>
+        <translation>2 次形状</translation>
+    </message>
+    <message>
+        <source>a form of degree 3</source>
+        <translation>3 次形状</translation>
+    </message>
+    <message>
+        <source>a form of degree 4</source>
+        <translation>4 次形状</translation>
+    </message>
+    <message>
+        <source>Form that is no roughness</source>
+        <translation>不计入粗糙度的形状</translation>
+    </message>
+    <message>
+        <source>Bends of the finger and of the pressing object do not count as roughness.</source>
+        <translation>手指和按压物体的弯曲不计入粗糙度。</translation>
+    </message>
+    <message>
+        <source>Wavelengths up to</source>
+        <translation>波长上限</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>全部</translation>
+    </message>
+    <message>
+        <source>Longest wavelength of roughness</source>
+        <translation>粗糙度的最长波长</translation>
+    </message>
+    <message>
+        <source>Lambda c: longer waves do not count as roughness (Gaussian filter, ISO 16610-61). Usual: 0.25, 0.8, 2.5 mm.</source>
+        <translation>λc：更长的波不计入粗糙度（高斯滤波器，ISO 16610-61）。常用：0.25、0.8、2.5 mm。</translation>
+    </message>
+    <message>
+        <source>change the form that is no roughness</source>
+        <translation>更改不计入粗糙度的形状</translation>
+    </message>
+    <message>
+        <source>change the roughness' longest wavelength</source>
+        <translation>更改粗糙度的最长波长</translation>
+    </message>
+    <message>
+        <source>without a form of degree %1</source>
+        <translation>不含 %1 次形状</translation>
+    </message>
+    <message>
+        <source>wavelengths up to %1 mm</source>
+        <translation>波长不超过 %1 mm</translation>
+    </message>
+    <message>
         <source>Add to recipe</source>
         <translation>加入配方</translation>
     </message>
@@ -6331,6 +6395,22 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
 </context>
 <context>
     <name>alltact::en</name>
+    <message>
+        <source>lambda_c of {} mm is less than five pixels here</source>
+        <translation>{} mm 的 λc 在此处不足五个像素</translation>
+    </message>
+    <message>
+        <source>{:.2f} mm or more</source>
+        <translation>{:.2f} mm 或更大</translation>
+    </message>
+    <message>
+        <source>the piece is smaller than lambda_c of {} mm</source>
+        <translation>该区域小于 {} mm 的 λc</translation>
+    </message>
+    <message>
+        <source>a larger piece, or a smaller lambda_c</source>
+        <translation>更大的区域，或更小的 λc</translation>
+    </message>
     <message>
         <source>{} of {:.0f}: {}</source>
         <translation>{} / {:.0f}：{}</translation>

@@ -160,6 +160,8 @@ Json inspect_to_json(const InspectState& state) {
   json["depth_times"] = options.scene.exaggeration;
   if (options.a) json["a_mm"] = {options.a->along_mm, options.a->across_mm};
   if (options.b) json["b_mm"] = {options.b->along_mm, options.b->across_mm};
+  json["form_degree"] = options.filter.form_degree;
+  if (options.filter.lambda_c_mm) json["lambda_c_mm"] = *options.filter.lambda_c_mm;
   if (!options.recipe.readings.empty()) json["recipe"] = options.recipe.to_yaml();
   return json;
 }
@@ -185,6 +187,10 @@ InspectState inspect_from_json(const Json& json) {
   options.with = comparand_of(value_or(json, "with", Json()));
   options.a = position_of(json, "a_mm");
   options.b = position_of(json, "b_mm");
+  const int degree = value_or(json, "form_degree", options.filter.form_degree);
+  if (degree >= 1 && degree <= kMaxFormDegree) options.filter.form_degree = degree;
+  const double lambda_c_mm = value_or(json, "lambda_c_mm", 0.0);
+  if (lambda_c_mm > 0 && lambda_c_mm <= 100) options.filter.lambda_c_mm = lambda_c_mm;
   const std::string recipe = value_or(json, "recipe", std::string());
   if (auto read = InspectionRecipe::parse(recipe, kSessionFormat); read && !recipe.empty())
     options.recipe = std::move(*read);

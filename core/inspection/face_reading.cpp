@@ -72,8 +72,9 @@ const std::vector<Measurand>& all_measurands() {
   return all;
 }
 
-FaceReader::FaceReader(const MeasuredFace& face, cv::Point2d a, cv::Point2d b)
-    : face_(face), a_(a), b_(b) {}
+FaceReader::FaceReader(const MeasuredFace& face, cv::Point2d a, cv::Point2d b,
+                       const RoughnessFilter& filter)
+    : face_(face), a_(a), b_(b), filter_(filter) {}
 
 const SurfacePatch& FaceReader::box() {
   if (!box_) box_ = patch(box_of(a_, b_));
@@ -105,7 +106,7 @@ FaceReading FaceReader::operator()(Measurand measurand) {
     case Measurand::kMeanDepth:
       return pressed(&PressedSurface::mean_mm, true);
     case Measurand::kRoughness:
-      return reading(roughness(box()), &Roughness::sq_mm);
+      return reading(roughness(box(), filter_), &Roughness::sq_mm);
     case Measurand::kStep:
       return step();
     case Measurand::kAngle:

@@ -27,7 +27,7 @@ enum class Measurand {
   kArea,          ///< deeper than kPressedMm, within the box
   kVolume,        ///< displaced there
   kMeanDepth,     ///< there
-  kRoughness,     ///< root mean square height within the box
+  kRoughness,     ///< root mean square height within the box, by a RoughnessFilter
   kStep,          ///< on the line from A to B
   kAngle,         ///< between the surfaces kAroundPx around A and B
 };
@@ -59,7 +59,8 @@ struct MeasuredFace {
 /// Reads what lies between two pixels; the patch of the box is extracted once, where it is needed.
 class FaceReader {
  public:
-  FaceReader(const MeasuredFace& face, cv::Point2d a, cv::Point2d b);
+  FaceReader(const MeasuredFace& face, cv::Point2d a, cv::Point2d b,
+             const RoughnessFilter& filter = {});
   [[nodiscard]] FaceReading operator()(Measurand measurand);
 
  private:
@@ -70,6 +71,7 @@ class FaceReader {
 
   MeasuredFace face_;
   cv::Point2d a_, b_;
+  RoughnessFilter filter_;
   std::optional<SurfacePatch> box_;
 };
 

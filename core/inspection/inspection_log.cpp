@@ -140,7 +140,7 @@ std::vector<InspectedReading> inspect_frame(const MeasuredFace& face,
     InspectedReading inspected;
     const auto a = pixel_of(result, of.a), b = pixel_of(result, of.b);
     if (a && b)
-      inspected.reading = FaceReader(face, *a, *b)(of.what);
+      inspected.reading = FaceReader(face, *a, *b, of.filter)(of.what);
     else
       inspected.reading.reason = en::say("the frame does not show both positions");
     inspected.conformity = conformity(inspected.reading, of);

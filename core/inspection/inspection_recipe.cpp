@@ -13,6 +13,7 @@ namespace alltact {
 namespace {
 
 constexpr Limits kPosition_mm{-10000, 10000};
+constexpr Limits kLambda_mm{0.001, 1000};
 constexpr std::size_t kMostReadings = 1000;
 
 EnumWords measurand_words() {
@@ -29,6 +30,13 @@ static void describe(Fields& fields, RecipeReading& reading) {
   fields.choice("what", reading.what, measurand_words());
   fields.numbers("a_mm", {&reading.a.along_mm, &reading.a.across_mm}, kPosition_mm);
   fields.numbers("b_mm", {&reading.b.along_mm, &reading.b.across_mm}, kPosition_mm);
+  if (reading.what == Measurand::kRoughness) {
+    RoughnessFilter& filter = reading.filter;
+    fields.integer(may("form_degree", filter.form_degree != RoughnessFilter().form_degree),
+                   filter.form_degree, 1, kMaxFormDegree);
+    if (fields.has(may("lambda_c_mm"), filter.lambda_c_mm))
+      fields.number("lambda_c_mm", *filter.lambda_c_mm, kLambda_mm);
+  }
   if (fields.has(may("lower"), reading.lower)) fields.number("lower", *reading.lower, kAnyNumber);
   if (fields.has(may("upper"), reading.upper)) fields.number("upper", *reading.upper, kAnyNumber);
   fields.demand(!reading.lower || !reading.upper || *reading.lower < *reading.upper, "upper",

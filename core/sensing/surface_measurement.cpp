@@ -3,6 +3,7 @@
 #include "core/sensing/depth/depth_sd.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -273,40 +274,170 @@ Result<PressedSurface> pressed_part(const SurfacePatch& patch, double threshold_
   return part;
 }
 
-Result<Roughness> roughness(const SurfacePatch& patch) {
+namespace {
+
+/// Heights over a plane, with the positions on it.
+struct Heights {
+  std::vector<Eigen::Vector2d> at_mm;
+  Eigen::VectorXd height_mm;
+  double noise_squares = 0;  // sum over the points
+  double area_mm2 = 0;
+};
+
+Heights heights_over(const FittedPlane& plane, const SurfacePatch& patch) {
+  const Eigen::Vector3d across = plane.normal.unitOrthogonal();
+  const Eigen::Vector3d along = plane.normal.cross(across);
+  const Eigen::Vector3d middle = mean_point_mm(patch);
+  Heights heights;
+  heights.height_mm.resize(std::ssize(patch.points));
+  for (Eigen::Index i = 0; const SurfacePoint& point : patch.points) {
+    const Eigen::Vector3d p = point.point_mm() - middle;
+    heights.at_mm.emplace_back(across.dot(p), along.dot(p));
+    heights.height_mm[i++] = plane.normal.dot(p);
+    heights.noise_squares += std::pow(point.noise_mm * plane.normal.z(), 2);
+    heights.area_mm2 += point.on_face_mm2;
+  }
+  return heights;
+}
+
+/// Subtracts the polynomial of this degree. Returns its number of terms; 0: the points do not
+/// determine it.
+int remove_form(int degree, Heights& heights) {
+  double reach = 0;
+  for (const Eigen::Vector2d& at : heights.at_mm) reach = std::max(reach, at.norm());
+  const int terms = (degree + 1) * (degree + 2) / 2;
+  Eigen::MatrixXd form(heights.height_mm.size(), terms);
+  for (Eigen::Index i = 0; const Eigen::Vector2d& at : heights.at_mm) {
+    const Eigen::Vector2d p = at / reach;
+    Eigen::Index k = 0;
+    for (int power = 0; power <= degree; ++power)
+      for (int of_y = 0; of_y <= power; ++of_y)
+        form(i, k++) = std::pow(p.x(), power - of_y) * std::pow(p.y(), of_y);
+    ++i;
+  }
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> solver(form);
+  if (solver.rank() < terms) return 0;
+  heights.height_mm -= form * solver.solve(heights.height_mm).eval();
+  return terms;
+}
+
+/// Gaussian weighted means around points, by cells of a sixteenth of lambda_c: a cell's points act
+/// from their middle.
+class GaussianMean {
+ public:
+  GaussianMean(const Heights& heights, double lambda_c_mm)
+      : heights_(heights), cell_mm_(lambda_c_mm / kCells), lambda_mm_(lambda_c_mm) {
+    low_ = heights.at_mm.front();
+    Eigen::Vector2d high = low_;
+    for (const Eigen::Vector2d& at : heights.at_mm)
+      low_ = low_.cwiseMin(at), high = high.cwiseMax(at);
+    columns_ = 1 + static_cast<int>((high.x() - low_.x()) / cell_mm_);
+    rows_ = 1 + static_cast<int>((high.y() - low_.y()) / cell_mm_);
+    cells_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
+    for (Eigen::Index i = 0; const Eigen::Vector2d& at : heights.at_mm) {
+      Cell& cell = cells_[index(column(at.x()), row(at.y()))];
+      cell.count += 1;
+      cell.at_mm += at;
+      cell.height_mm += heights.height_mm[i++];
+    }
+    for (Cell& cell : cells_)
+      if (cell.count > 0) cell.at_mm /= cell.count;
+  }
+
+  [[nodiscard]] double at(const Eigen::Vector2d& at) const {
+    const double alpha_mm = kAlpha * lambda_mm_;
+    const double most_mm = kReach * lambda_mm_;
+    double weights = 0, sum = 0;
+    const int first_row = std::max(0, row(at.y() - most_mm)),
+              last_row = std::min(rows_ - 1, row(at.y() + most_mm));
+    const int first = std::max(0, column(at.x() - most_mm)),
+              last = std::min(columns_ - 1, column(at.x() + most_mm));
+    for (int y = first_row; y <= last_row; ++y)
+      for (int x = first; x <= last; ++x) {
+        const Cell& cell = cells_[index(x, y)];
+        if (cell.count == 0) continue;
+        const double weight =
+            std::exp(-std::numbers::pi * (cell.at_mm - at).squaredNorm() / (alpha_mm * alpha_mm));
+        weights += weight * cell.count;
+        sum += weight * cell.height_mm;
+      }
+    return sum / weights;  // the point's own cell counts
+  }
+
+  /// Degrees of freedom of noise that subtracting the means removes: the trace of 2 S - S S' over
+  /// the area, S being the weights.
+  [[nodiscard]] double removed() const {
+    return 1.5 * heights_.area_mm2 / std::pow(kAlpha * lambda_mm_, 2);
+  }
+
+ private:
+  static constexpr double kCells = 16;
+  static constexpr double kReach = 0.7;       // weights beyond are below 1e-3 of the middle's
+  static constexpr double kAlpha = 0.469719;  // sqrt(ln 2 / pi), ISO 16610-61
+
+  struct Cell {
+    double count = 0, height_mm = 0;  // sum of the heights
+    Eigen::Vector2d at_mm = Eigen::Vector2d::Zero();
+  };
+  [[nodiscard]] int column(double x) const {
+    return static_cast<int>(std::floor((x - low_.x()) / cell_mm_));
+  }
+  [[nodiscard]] int row(double y) const {
+    return static_cast<int>(std::floor((y - low_.y()) / cell_mm_));
+  }
+  [[nodiscard]] std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) +
+           static_cast<std::size_t>(x);
+  }
+
+  const Heights& heights_;
+  double cell_mm_, lambda_mm_;
+  Eigen::Vector2d low_;
+  int columns_ = 1, rows_ = 1;
+  std::vector<Cell> cells_;
+};
+
+/// Empty: the filter suits the patch.
+std::optional<Error> unsuitable(double lambda_c_mm, const Heights& heights) {
+  constexpr double kLeastPixels = 5;
+  const double pixel_mm = std::sqrt(heights.area_mm2 / static_cast<double>(heights.at_mm.size()));
+  if (!(lambda_c_mm >= kLeastPixels * pixel_mm))
+    return Error{en::say("lambda_c of {} mm is less than five pixels here", lambda_c_mm), "",
+                 en::say("{:.2f} mm or more", kLeastPixels * pixel_mm)};
+  if (!(lambda_c_mm * lambda_c_mm <= heights.area_mm2))
+    return Error{en::say("the piece is smaller than lambda_c of {} mm", lambda_c_mm), "",
+                 en::say("a larger piece, or a smaller lambda_c")};
+  return std::nullopt;
+}
+
+}  // namespace
+
+Result<Roughness> roughness(const SurfacePatch& patch, const RoughnessFilter& filter) {
+  assert(filter.form_degree >= 1 && filter.form_degree <= kMaxFormDegree);
   const std::size_t n = patch.points.size();
   if (n < kMinRoughnessPoints) return too_few(n, kMinRoughnessPoints);
   if (has_limit(patch)) return at_a_limit();
   const auto plane = fit_plane(patch);
   if (!plane) return plane.error();
-  // Heights along the patch's own normal, as a function of two directions in the plane.
-  const Eigen::Vector3d across = plane->normal.unitOrthogonal();
-  const Eigen::Vector3d along = plane->normal.cross(across);
-  const Eigen::Vector3d middle = mean_point_mm(patch);
-  Eigen::MatrixXd form(static_cast<Eigen::Index>(n), 6);
-  Eigen::VectorXd height(static_cast<Eigen::Index>(n));
-  double reach = 0;
-  for (const SurfacePoint& point : patch.points)
-    reach = std::max(reach, (point.point_mm() - middle).norm());
-  double noise_squares = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    const Eigen::Vector3d p = (patch.points[i].point_mm() - middle) / reach;
-    const double x = across.dot(p), y = along.dot(p);
-    form.row(static_cast<Eigen::Index>(i)) << 1, x, y, x * x, x * y, y * y;
-    height[static_cast<Eigen::Index>(i)] = plane->normal.dot(p) * reach;
-    noise_squares += std::pow(patch.points[i].noise_mm * plane->normal.z(), 2);
-  }
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> solver(form);
-  if (solver.rank() < 6)
+  Heights heights = heights_over(*plane, patch);
+  double removed = remove_form(filter.form_degree, heights);
+  if (removed == 0)
     return Error{en::say("the piece is too narrow to remove its form"), "", en::say("a wider one")};
-  const Eigen::VectorXd rest = height - form * solver.solve(height);
+  if (filter.lambda_c_mm) {
+    if (auto problem = unsuitable(*filter.lambda_c_mm, heights)) return *problem;
+    const GaussianMean mean(heights, *filter.lambda_c_mm);
+    Eigen::VectorXd above = heights.height_mm;
+    for (Eigen::Index i = 0; const Eigen::Vector2d& at : heights.at_mm) above[i++] -= mean.at(at);
+    heights.height_mm = std::move(above);
+    removed += mean.removed();
+  }
   const double pixels = static_cast<double>(n);
-  const double squares =
-      rest.squaredNorm() / (pixels - std::min(6.0 * patch.noise_pixels, pixels / 2));
   Roughness rough;
-  rough.noise_mm = std::sqrt(noise_squares / pixels);
-  rough.sz_mm = rest.maxCoeff() - rest.minCoeff();
+  rough.noise_mm = std::sqrt(heights.noise_squares / pixels *
+                             (1 - std::min(removed * patch.noise_pixels / pixels, 0.5)));
+  rough.sz_mm = heights.height_mm.maxCoeff() - heights.height_mm.minCoeff();
   // Standard deviation of a mean square over the independent pixels, propagated through the root.
+  const double squares = heights.height_mm.squaredNorm() / pixels;
   const double independent = std::max(pixels / patch.noise_pixels, 2.0);
   const double sd_of_squares = squares * std::sqrt(2 / independent);
   const double true_squares = std::max(0.0, squares - rough.noise_mm * rough.noise_mm);

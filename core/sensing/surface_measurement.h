@@ -70,8 +70,18 @@ struct PressedSurface {
 /// Error: no point is deeper.
 [[nodiscard]] Result<PressedSurface> pressed_part(const SurfacePatch& patch, double threshold_mm);
 
-/// Heights above the second-degree surface through a patch. The form is removed as in ISO 25178, so
-/// that bends of the finger and of the pressing object do not count.
+/// Which part of a patch is its form and its waviness, neither of which is roughness (ISO 25178-3).
+struct RoughnessFilter {
+  int form_degree = 2;  ///< of the polynomial that is removed as the form, 1 to 4; 1: a plane
+  /// Wavelengths above it do not count (Gaussian L-filter, ISO 16610-61: half of the amplitude
+  /// passes at lambda_c). Empty: all count that are not form.
+  std::optional<double> lambda_c_mm;
+  bool operator==(const RoughnessFilter&) const = default;
+};
+inline constexpr int kMaxFormDegree = 4;
+
+/// Heights of a patch above its form, so that bends of the finger and of the pressing object do not
+/// count.
 struct Roughness {
   /// Root mean square height with the noise subtracted; 0: within the noise. Its sd is the larger
   /// one of the two sides, which differ near 0.
@@ -79,8 +89,10 @@ struct Roughness {
   double sz_mm = 0;     ///< from the lowest to the highest, noise included
   double noise_mm = 0;  ///< result for a perfectly smooth skin
 };
-/// Errors: fewer than 30 points, or all on one line; a point at a limit.
-[[nodiscard]] Result<Roughness> roughness(const SurfacePatch& patch);
+/// Errors: fewer than 30 points, or too narrow for the form; a point at a limit; lambda_c below
+/// five pixels, or above the patch's own length.
+[[nodiscard]] Result<Roughness> roughness(const SurfacePatch& patch,
+                                          const RoughnessFilter& filter = {});
 
 /// A plane fitted to the contact face within a patch.
 struct FittedPlane {

@@ -83,8 +83,9 @@ Reading read_recipe(const std::string& bytes) {
 std::vector<std::string> recipe_seeds() {
   InspectionRecipe recipe;
   recipe.name = "a \"seal\"";
-  recipe.readings = {{"depth", Measurand::kStep, {30, -2.5}, {36, 2.5}, 0.45, 0.55},
-                     {"1e3", Measurand::kAngle, {0, 0}, {1, 1}, {}, -2.0}};
+  recipe.readings = {{"depth", Measurand::kStep, {30, -2.5}, {36, 2.5}, 0.45, 0.55, {}},
+                     {"1e3", Measurand::kAngle, {0, 0}, {1, 1}, {}, -2.0, {}},
+                     {"grain", Measurand::kRoughness, {0, 0}, {9, 9}, {}, 0.02, {3, 0.8}}};
   return {recipe.to_yaml()};
 }
 

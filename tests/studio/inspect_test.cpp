@@ -174,7 +174,7 @@ TEST_F(Inspect, MeasuresWhatLiesBetweenThePoints) {
   auto* table = studio_.find<QTableWidget>("Measured between the points");
   ASSERT_NE(table, nullptr);
   const auto readings = surface_readings(frame(), *pixel_of(frame(), place().options().a),
-                                         *pixel_of(frame(), place().options().b));
+                                         *pixel_of(frame(), place().options().b), {});
   ASSERT_EQ(static_cast<std::size_t>(table->rowCount()), readings.size());
   const MeasuredValue apart = readings.front().reading.measured.value();
   EXPECT_NEAR(apart.value,
@@ -198,6 +198,27 @@ TEST_F(Inspect, MeasuresWhatLiesBetweenThePoints) {
   EXPECT_THAT(QGuiApplication::clipboard()->text().toStdString(),
               HasSubstr("Ball's radius: " +
                         value_text(readings[1].what, readings[1].reading).toStdString() + "\n"));
+  constexpr int kRoughness = 5;
+  auto* lambda = studio_.find<NumberField>("Longest wavelength of roughness");
+  ASSERT_NE(lambda, nullptr);
+  lambda->setValue(2.0);
+  const auto filtered = surface_readings(frame(), *pixel_of(frame(), place().options().a),
+                                         *pixel_of(frame(), place().options().b),
+                                         {.form_degree = 2, .lambda_c_mm = 2.0});
+  EXPECT_LT(filtered[kRoughness].reading.measured.value().value,
+            readings[kRoughness].reading.measured.value().value);
+  EXPECT_EQ(table->item(kRoughness, 1)->text(),
+            value_text(Measurand::kRoughness, filtered[kRoughness].reading));
+  table->selectRow(kRoughness);
+  studio_.click("Add to recipe");
+  ASSERT_EQ(place().options().recipe.readings.size(), 1U);
+  EXPECT_EQ(place().options().recipe.readings.front().filter.lambda_c_mm, 2.0);
+  studio_.window().undo_stack().undo();
+  studio_.window().undo_stack().undo();
+  EXPECT_FALSE(place().options().filter.lambda_c_mm);
+  EXPECT_EQ(lambda->text(), QStringLiteral("all"));
+  EXPECT_EQ(table->item(kRoughness, 1)->text(),
+            value_text(Measurand::kRoughness, readings[kRoughness].reading));
   studio_.click("Across");  // a line is no box
   EXPECT_EQ(table->item(1, 1)->text(), QStringLiteral("–"));
   EXPECT_FALSE(table->item(1, 1)->toolTip().isEmpty());

@@ -30,6 +30,7 @@ InspectSide::InspectSide(QWidget* parent)
   column->addStretch();
   connect(view_, &ViewBox::changed, this, &InspectSide::changed);
   connect(points_, &PointsBox::changed, this, &InspectSide::changed);
+  connect(surface_, &SurfaceBox::changed, this, &InspectSide::changed);
   connect(surface_, &SurfaceBox::add_requested, recipe_, &RecipeBox::add);
   connect(recipe_, &RecipeBox::changed, this, &InspectSide::changed);
   connect(recipe_, &RecipeBox::run_requested, this, &InspectSide::run_requested);
@@ -41,6 +42,7 @@ void InspectSide::set_options(const InspectOptions& options) {
   options_ = options;
   view_->set_options(options);
   points_->set_options(options);
+  surface_->set_options(options);
   recipe_->set_options(options);
   measure();
 }

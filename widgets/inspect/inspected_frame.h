@@ -48,6 +48,7 @@ struct InspectOptions {
   std::optional<ViewPose> view_pose;  ///< 3D camera moved by hand; none: as from the standpoint
   SceneOptions scene;
   std::optional<FacePosition> a, b;  ///< the two measuring points
+  RoughnessFilter filter;            ///< of the roughness between them
   InspectionRecipe recipe;           ///< without readings: none
 
   /// With a second finger nothing is compared.

@@ -24,6 +24,8 @@ namespace alltact {
 namespace {
 
 constexpr int kPointA = 2011;  // merge ids of the four fields follow
+constexpr int kLambda = 2021;
+constexpr double kNoLambda_mm = 0, kLongestLambda_mm = 100;
 // One digit more would widen the column.
 constexpr double kNotChosen_mm = -999, kFurthest_mm = 999;
 
@@ -340,6 +342,10 @@ QString deepest_text(const InspectedFrame& frame) {
 SurfaceBox::SurfaceBox(QWidget* parent)
     : Translated(parent),
       hint_(wrapped_label()),
+      form_label_(new QLabel),
+      lambda_label_(new QLabel),
+      form_(new QComboBox),
+      lambda_(new NumberField),
       table_(new QTableWidget(0, 2)),
       add_(new QPushButton),
       copy_text_(new QPushButton),
@@ -350,20 +356,52 @@ SurfaceBox::SurfaceBox(QWidget* parent)
   table_->horizontalHeader()->setSectionResizeMode(1, QHeaderView::Stretch);
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setSelectionMode(QAbstractItemView::SingleSelection);
   table_->setTabKeyNavigation(false);
   table_->setShowGrid(false);
   table_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  form_->setObjectName(QStringLiteral("roughness_form"));
+  lambda_->setObjectName(QStringLiteral("lambda_c"));
+  for (int degree = 1; degree <= kMaxFormDegree; ++degree) form_->addItem({});
+  lambda_->setRange(kNoLambda_mm, kLongestLambda_mm);
+  lambda_->setSingleStep(0.1);
+  lambda_->set_shown_decimals(2);
   auto* column = new QVBoxLayout(this);
   column->addWidget(hint_);
   column->addWidget(table_);
+  auto* filter = new QGridLayout;
+  filter->addWidget(form_label_, 0, 0);
+  filter->addWidget(form_, 0, 1);
+  filter->addWidget(lambda_label_, 1, 0);
+  filter->addWidget(lambda_, 1, 1);
+  filter->setColumnStretch(1, 1);
+  form_label_->setBuddy(form_);
+  lambda_label_->setBuddy(lambda_);
+  column->addLayout(filter);
   auto* buttons = new QHBoxLayout;
   buttons->addWidget(add_);
   buttons->addStretch();
   buttons->addWidget(copy_text_);
   buttons->addWidget(copy_);
   column->addLayout(buttons);
-  table_->setSelectionMode(QAbstractItemView::SingleSelection);
+  connect_parts();
+  say([this] { name_parts(); });
+}
+
+void SurfaceBox::connect_parts() {
   connect(table_, &QTableWidget::itemSelectionChanged, this, &SurfaceBox::follow_selection);
+  connect(form_, &QComboBox::activated, this, [this](int index) {
+    InspectOptions next = options_;
+    next.filter.form_degree = index + 1;
+    Q_EMIT changed(
+        next, [] { return tr("change the form that is no roughness"); }, -1);
+  });
+  connect(lambda_, &NumberField::valueChanged, this, [this](double value) {
+    InspectOptions next = options_;
+    next.filter.lambda_c_mm = value > kNoLambda_mm ? std::optional(value) : std::nullopt;
+    Q_EMIT changed(
+        next, [] { return tr("change the roughness' longest wavelength"); }, kLambda);
+  });
   connect(add_, &QPushButton::clicked, this, [this] {
     Q_EMIT add_requested(readings_[static_cast<std::size_t>(table_->currentRow())].what);
   });
@@ -371,35 +409,61 @@ SurfaceBox::SurfaceBox(QWidget* parent)
           [this] { QGuiApplication::clipboard()->setText(text_of(readings_)); });
   connect(copy_, &QPushButton::clicked, this,
           [this] { QGuiApplication::clipboard()->setText(csv_of(readings_)); });
-  say([this] {
-    setTitle(tr("Between A and B"));
-    hint_->setText(
-        tr("Two points span a box: a ball's radius, area, volume and roughness inside; distance, "
-           "step and angle from A to B."));
-    add_->setText(tr("Add to recipe"));
-    add_->setToolTip(tr("The selected reading, at these positions, becomes part of the recipe"));
-    copy_text_->setText(tr("Copy as text"));
-    copy_->setText(tr("Copy as CSV"));
-    table_->setAccessibleName(tr("Measured between the points"));
-    fill();
-  });
+}
+
+void SurfaceBox::name_parts() {
+  setTitle(tr("Between A and B"));
+  hint_->setText(
+      tr("Two points span a box: a ball's radius, area, volume and roughness inside; distance, "
+         "step and angle from A to B."));
+  form_label_->setText(tr("Roughness without"));
+  const QStringList forms{tr("a plane"), tr("a form of degree 2"), tr("a form of degree 3"),
+                          tr("a form of degree 4")};
+  for (int i = 0; i < form_->count(); ++i) form_->setItemText(i, forms[i]);
+  form_->setAccessibleName(tr("Form that is no roughness"));
+  form_->setToolTip(
+      tr("Bends of the finger and of the pressing object do not count as roughness."));
+  lambda_label_->setText(tr("Wavelengths up to"));
+  lambda_->setSuffix(tr(" mm"));
+  lambda_->setSpecialValueText(tr("all"));
+  lambda_->setAccessibleName(tr("Longest wavelength of roughness"));
+  lambda_->setToolTip(
+      tr("Lambda c: longer waves do not count as roughness (Gaussian filter, ISO 16610-61). Usual: "
+         "0.25, 0.8, 2.5 mm."));
+  add_->setText(tr("Add to recipe"));
+  add_->setToolTip(tr("The selected reading, at these positions, becomes part of the recipe"));
+  copy_text_->setText(tr("Copy as text"));
+  copy_->setText(tr("Copy as CSV"));
+  table_->setAccessibleName(tr("Measured between the points"));
+  fill();
+}
+
+void SurfaceBox::set_options(const InspectOptions& options) {
+  options_ = options;
+  const QSignalBlocker quiet(lambda_);
+  form_->setCurrentIndex(options.filter.form_degree - 1);
+  lambda_->setValue(options.filter.lambda_c_mm.value_or(kNoLambda_mm));
 }
 
 void SurfaceBox::show_readings(const std::shared_ptr<const InspectedFrame>& frame,
                                const std::optional<cv::Point2d>& a,
                                const std::optional<cv::Point2d>& b) {
-  readings_ = frame && a && b ? surface_readings(*frame, *a, *b) : std::vector<SurfaceReading>{};
+  readings_ = frame && a && b ? surface_readings(*frame, *a, *b, options_.filter)
+                              : std::vector<SurfaceReading>{};
   fill();
 }
 
 void SurfaceBox::fill() {
   hint_->setVisible(readings_.empty());
   table_->setVisible(!readings_.empty());
-  for (QPushButton* button : {add_, copy_text_, copy_}) button->setVisible(!readings_.empty());
+  for (QWidget* widget : std::initializer_list<QWidget*>{form_label_, form_, lambda_label_, lambda_,
+                                                         add_, copy_text_, copy_})
+    widget->setVisible(!readings_.empty());
   table_->setRowCount(static_cast<int>(readings_.size()));
   for (int row = 0; row < table_->rowCount(); ++row) {
     const auto& [what, reading] = readings_[static_cast<std::size_t>(row)];
     auto* name = new QTableWidgetItem(name_of(what));
+    if (what == Measurand::kRoughness) name->setToolTip(filter_text(options_.filter));
     auto* value = new QTableWidgetItem(value_text(what, reading));
     if (!reading.measured) value->setToolTip(window_sentence(reading.reason));
     table_->setItem(row, 0, name);
@@ -417,9 +481,9 @@ void SurfaceBox::follow_selection() {
 }
 
 std::vector<SurfaceReading> surface_readings(const InspectedFrame& frame, cv::Point2d a,
-                                             cv::Point2d b) {
+                                             cv::Point2d b, const RoughnessFilter& filter) {
   if (!frame.result.depth || !frame.mapping) return {};
-  FaceReader read(face_of(frame), a, b);
+  FaceReader read(face_of(frame), a, b, filter);
   std::vector<SurfaceReading> all;
   for (const Measurand what : all_measurands()) all.push_back({what, read(what)});
   return all;
@@ -445,6 +509,15 @@ QString name_of(Measurand what) {
       break;
   }
   return SurfaceBox::tr("Angle from A to B");
+}
+
+QString filter_text(const RoughnessFilter& filter) {
+  QStringList words;
+  if (filter.form_degree != RoughnessFilter().form_degree)
+    words << SurfaceBox::tr("without a form of degree %1").arg(filter.form_degree);
+  if (filter.lambda_c_mm)
+    words << SurfaceBox::tr("wavelengths up to %1 mm").arg(plain_number(*filter.lambda_c_mm, 2));
+  return listed(words);
 }
 
 QString unit_text(Measurand what) {

@@ -9,6 +9,7 @@
 #include "widgets/undo_step.h"
 #include "widgets/widget_base.h"
 
+#include <QComboBox>
 #include <QGroupBox>
 #include <QLabel>
 #include <QPushButton>
@@ -87,7 +88,8 @@ struct SurfaceReading {
 
 /// All measurands. Empty for a frame without depth.
 [[nodiscard]] std::vector<SurfaceReading> surface_readings(const InspectedFrame& frame,
-                                                           cv::Point2d a, cv::Point2d b);
+                                                           cv::Point2d a, cv::Point2d b,
+                                                           const RoughnessFilter& filter);
 
 /// "Ball's radius"
 [[nodiscard]] QString name_of(Measurand what);
@@ -106,25 +108,38 @@ struct SurfaceReading {
 
 // Table of the readings between A and B, to read and to copy.
 
+/// "form of degree 4, wavelengths up to 0.8 mm"; empty for the default.
+[[nodiscard]] QString filter_text(const RoughnessFilter& filter);
+
 class SurfaceBox : public Translated<QGroupBox> {
   Q_OBJECT
  public:
   explicit SurfaceBox(QWidget* parent = nullptr);
 
+  void set_options(const InspectOptions& options);
   /// Null, or without both points: nothing.
   void show_readings(const std::shared_ptr<const InspectedFrame>& frame,
                      const std::optional<cv::Point2d>& a, const std::optional<cv::Point2d>& b);
 
  Q_SIGNALS:
+  /// As in ViewBox.
+  void changed(const alltact::InspectOptions& options, const alltact::StepWords& what,
+               int merge_id);
   /// The selected reading is to be part of the recipe.
   void add_requested(alltact::Measurand what);
 
  private:
+  void connect_parts();
+  void name_parts();
   void fill();
   void follow_selection();
 
+  InspectOptions options_;
   std::vector<SurfaceReading> readings_;
   QLabel* hint_;
+  QLabel *form_label_, *lambda_label_;
+  QComboBox* form_;
+  NumberField* lambda_;
   QTableWidget* table_;
   QPushButton *add_, *copy_text_, *copy_;
 };

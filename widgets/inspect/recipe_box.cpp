@@ -139,7 +139,9 @@ void RecipeBox::fill() {
   for (std::size_t i = 0; i < readings.size(); ++i) {
     auto* row = new QTreeWidgetItem(list_);
     row->setText(kReadingName, QString::fromStdString(readings[i].name));
-    row->setToolTip(kReadingName, name_of(readings[i].what));
+    const QString filter = filter_text(readings[i].filter);
+    const QString read = name_of(readings[i].what);
+    row->setToolTip(kReadingName, filter.isEmpty() ? read : labelled(read, filter));
     const QString tolerance = tolerance_text(readings[i]);
     row->setToolTip(kReadingDecision,
                     tolerance.isEmpty() ? QString() : labelled(tr("Tolerance"), tolerance));
@@ -187,7 +189,9 @@ void RecipeBox::add(Measurand what) {
   if (!options_.a || !options_.b) return;
   InspectionRecipe recipe = options_.recipe;
   const std::string name = recipe.free_name(name_of(what).toStdString());
-  recipe.readings.push_back({name, what, *options_.a, *options_.b, {}, {}});
+  const RoughnessFilter filter =
+      what == Measurand::kRoughness ? options_.filter : RoughnessFilter();
+  recipe.readings.push_back({name, what, *options_.a, *options_.b, {}, {}, filter});
   set_recipe(std::move(recipe), [] { return tr("add a reading to the recipe"); });
 }
 

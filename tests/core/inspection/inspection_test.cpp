@@ -18,10 +18,11 @@ using testing::HasSubstr;
 InspectionRecipe some_recipe() {
   InspectionRecipe recipe;
   recipe.name = "seal: \"groove\" №7";
-  recipe.readings = {{"depth", Measurand::kStep, {30, -2.5}, {36.25, -2.5}, 0.45, 0.55},
-                     {"radius, at most", Measurand::kRadius, {20, -3}, {28, 3}, {}, 4.1},
-                     {"1.5", Measurand::kAngle, {20, -3}, {28, 3}, -2.0, {}},
-                     {"area", Measurand::kArea, {20, -3}, {28, 3}, {}, {}}};
+  recipe.readings = {{"depth", Measurand::kStep, {30, -2.5}, {36.25, -2.5}, 0.45, 0.55, {}},
+                     {"radius, at most", Measurand::kRadius, {20, -3}, {28, 3}, {}, 4.1, {}},
+                     {"1.5", Measurand::kAngle, {20, -3}, {28, 3}, -2.0, {}, {}},
+                     {"area", Measurand::kArea, {20, -3}, {28, 3}, {}, {}, {}},
+                     {"grain", Measurand::kRoughness, {20, -3}, {28, 3}, {}, 0.01, {4, 0.8}}};
   return recipe;
 }
 
@@ -54,6 +55,12 @@ TEST(InspectionRecipe, NamesWhatIsWrong) {
               HasSubstr("is empty"));
   EXPECT_THAT(refusal("  - {name: \"a\", what: step, a_mm: [1], b_mm: [3, 4]}\n"),
               HasSubstr("a_mm"));
+  EXPECT_THAT(refusal("  - {name: \"a\", what: roughness, a_mm: [1, 2], b_mm: [3, 4], "
+                      "form_degree: 5}\n"),
+              HasSubstr("form_degree"));
+  EXPECT_THAT(refusal("  - {name: \"a\", what: roughness, a_mm: [1, 2], b_mm: [3, 4], "
+                      "lambda_c_mm: 0}\n"),
+              HasSubstr("lambda_c_mm"));
   EXPECT_THAT(InspectionRecipe::parse("format: other/1\n", "a.yaml").error().sentence(),
               HasSubstr("a.yaml"));
 }
@@ -71,7 +78,7 @@ Conformity decide(double value, double sd, std::optional<double> lower, std::opt
   FaceReading reading;
   reading.measured = MeasuredValue{value, sd};
   reading.is_lower_bound = is_lower_bound;
-  return conformity(reading, {"a", Measurand::kStep, {}, {}, lower, upper});
+  return conformity(reading, {"a", Measurand::kStep, {}, {}, lower, upper, {}});
 }
 
 TEST(Conformity, LeavesAGuardBandAtEachLimit) {
@@ -94,7 +101,8 @@ TEST(Conformity, IsUndecidedWhereTheUncertaintyIsUnknownOrTheLayerEnds) {
   EXPECT_EQ(decide(0.7, 0.01, 0.4, 0.6, true), Conformity::kFail) << "it is at least that";
   EXPECT_EQ(decide(0.3, 0.01, 0.4, 0.6, true), Conformity::kUndecided);
   FaceReading none;
-  EXPECT_EQ(conformity(none, {"a", Measurand::kStep, {}, {}, 0.4, 0.6}), Conformity::kNotMeasured);
+  EXPECT_EQ(conformity(none, {"a", Measurand::kStep, {}, {}, 0.4, 0.6, {}}),
+            Conformity::kNotMeasured);
 }
 
 /// A true value exactly at a limit passes in 5 % of measurements, and fails in as many.
@@ -114,7 +122,7 @@ TEST(Conformity, ErrsInFivePercentAtALimit) {
 
 InspectionLog log_of(const std::vector<std::optional<double>>& values, double sd, bool has_times) {
   InspectionLog log;
-  log.recipe.readings = {{"gap, \"left\"", Measurand::kDistance, {1, 2}, {3, 4}, 0.9, 2.0}};
+  log.recipe.readings = {{"gap, \"left\"", Measurand::kDistance, {1, 2}, {3, 4}, 0.9, 2.0, {}}};
   for (std::size_t i = 0; i < values.size(); ++i) {
     InspectedReading one;
     if (values[i]) one.reading.measured = MeasuredValue{*values[i], sd};

@@ -139,6 +139,64 @@ TEST(SurfacePatchTest, SmoothSkinIsNotCalledRough) {
   EXPECT_LE(called_rough, 12);
 }
 
+TEST(SurfacePatchTest, AFormOfEachDegreeIsRemovedAndNoLowerOne) {
+  constexpr double kAmplitude = 0.02;
+  for (int degree = 1; degree <= kMaxFormDegree; ++degree) {
+    const auto wave = [degree](double x, double y) {
+      const double form = 0.3 * std::pow((x - 0.5 * y) / 3, degree);
+      return 1 + form + kAmplitude * std::sin(2 * std::numbers::pi * x / 0.6);
+    };
+    const auto patch = pressed(wave, 0, 1);
+    const auto rough = roughness(patch, {.form_degree = degree, .lambda_c_mm = {}});
+    ASSERT_TRUE(rough) << degree;
+    EXPECT_NEAR(rough->sq_mm.value, kAmplitude / std::numbers::sqrt2, 3e-4) << degree;
+    if (degree == 1) continue;
+    const auto rougher = roughness(patch, {.form_degree = degree - 1, .lambda_c_mm = {}});
+    ASSERT_TRUE(rougher);
+    EXPECT_GT(rougher->sq_mm.value, 1.2 * rough->sq_mm.value) << degree;
+  }
+}
+
+TEST(SurfacePatchTest, WavesPassTheGaussianFilterAsTheStandardSays) {
+  constexpr double kAmplitude = 0.02, kLambda_mm = 0.8;
+  for (const double wave_mm : {0.4, 0.6, 0.8, 1.2, 1.6}) {
+    const auto wave = [wave_mm](double x, double y) {
+      return 0.5 + kAmplitude * std::sin(2 * std::numbers::pi * (0.8 * x + 0.6 * y) / wave_mm);
+    };
+    const auto rough =
+        roughness(pressed(wave, 0, 1), {.form_degree = 1, .lambda_c_mm = kLambda_mm});
+    ASSERT_TRUE(rough);
+    // ISO 16610-61: the filter's mean line transmits 2^-(lambda_c / lambda)^2 of a wave.
+    const double passes = 1 - std::exp2(-std::pow(kLambda_mm / wave_mm, 2));
+    EXPECT_NEAR(rough->sq_mm.value, passes * kAmplitude / std::numbers::sqrt2,
+                0.03 * kAmplitude / std::numbers::sqrt2)
+        << wave_mm;
+  }
+}
+
+TEST(SurfacePatchTest, SmoothSkinIsNotCalledRoughBehindAFilterEither) {
+  int called_rough = 0;
+  double sum = 0;
+  for (unsigned seed = 0; seed < 100; ++seed) {
+    const auto rough =
+        roughness(pressed([](double x, double) { return 0.3 + 0.1 * x; }, 0.01, seed),
+                  {.form_degree = 4, .lambda_c_mm = 0.8});
+    ASSERT_TRUE(rough);
+    EXPECT_NEAR(rough->noise_mm, 0.01, 0.001);
+    sum += rough->sq_mm.value;
+    called_rough += rough->sq_mm.value > 2 * rough->sq_mm.sd;
+  }
+  EXPECT_LE(called_rough, 12);
+  EXPECT_LT(sum / 100, 0.0015);
+}
+
+TEST(SurfacePatchTest, AFilterThatThePatchCannotHoldIsRefused) {
+  const auto patch = pressed([](double, double) { return 0.3; }, 0.01, 1);
+  EXPECT_FALSE(roughness(patch, {.form_degree = 2, .lambda_c_mm = 0.4}));  // four pixels
+  EXPECT_TRUE(roughness(patch, {.form_degree = 2, .lambda_c_mm = 0.6}));
+  EXPECT_FALSE(roughness(patch, {.form_degree = 2, .lambda_c_mm = 7.0}));
+}
+
 TEST(SurfacePatchTest, AnglesBetweenPlanesAreThoseTheyWereMadeWith) {
   for (const double slope : {0.0, 0.1, 0.5, 1.0}) {
     const auto a = fit_plane(pressed([](double, double) { return 0.5; }, 1e-4, 6));
