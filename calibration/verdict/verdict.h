@@ -95,7 +95,7 @@ inline constexpr double kRadiusSdMm = 0.01;
 /// scatters sideways undetected: 0.05 to 0.155 mm of about 1 mm between balls and punches on 17
 /// white-light sensors. The lower end is used, as most layers scatter less.
 inline constexpr double kBodyShare = 0.05;
-/// Probability that the test for such light is wrong, whatever it says: no layer is quite as the
+/// Probability that the test for such light is wrong, whatever it reports: no layer is quite as the
 /// test assumes.
 inline constexpr double kSpreadTestDoubt = 0.1;
 /// Mean depth inside the contacts of presses, mm: under a ball's cap depth is spread evenly, from 0

@@ -112,7 +112,7 @@ class VideoWriter {
 
 /// Copies frames of a file written by VideoWriter to a new file, in order, without decoding: the
 /// same bytes as if they were read and added one by one.
-///   keep: by frame of `from`; at least one is kept
+///   keep: by frame of `from`; at least one is chosen
 /// Errors: `from` cannot be read, or has fewer frames; `to` cannot be written; stopped.
 [[nodiscard]] Status copy_frames(const std::filesystem::path& from, const std::filesystem::path& to,
                                  const std::vector<char>& keep, const Job& job);

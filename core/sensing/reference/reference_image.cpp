@@ -114,7 +114,7 @@ double mean_over(const FaceMix& mix, const FaceGrid& grid, int first, int end) {
 }
 
 /// Factor by which the further mix continues the nearer one without a step. Frames of further poses
-/// are lit otherwise, which would read as depth over the whole end of the face.
+/// are lit otherwise, which would read as depth over the entire end of the face.
 double seam_gain(const FaceMix& near, const FaceMix& further, const FaceGrid& grid, int first,
                  int end) {
   const double have = mean_over(further, grid, first, end);
