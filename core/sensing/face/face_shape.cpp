@@ -189,7 +189,32 @@ FaceShape FaceShape::plane(const Camera& camera, const Face& face) {
   return shape;
 }
 
+namespace {
+
+/// An end where the fitted face turns on its edge as seen along z is a misfit, as of an edge that
+/// was traced wrongly. Depth along z would be many times that along the normal.
+void drop_turned_ends(const FaceShape& shape, std::vector<FaceColumn>& columns) {
+  constexpr double kMinCosIncline = 0.2;  // 78 degrees
+  constexpr std::size_t kMostPart = 8;    // of all columns, at each end
+  const std::size_t count = columns.size();
+  for (const bool is_high_end : {false, true}) {
+    std::size_t dropped = 0;
+    for (std::size_t k = 0; k < count && dropped < count / kMostPart; ++k) {
+      const std::size_t u = is_high_end ? count - 1 - k : k;
+      FaceColumn& column = columns[u];
+      if (!column.valid) continue;
+      const auto local = shape.at(static_cast<double>(u), 0.5 * (column.upper_v + column.lower_v));
+      if (local && local->cos_incline >= kMinCosIncline) break;
+      column.valid = false;
+      ++dropped;
+    }
+  }
+}
+
+}  // namespace
+
 void FaceShape::finish() {
+  if (camera_.is_perspective()) drop_turned_ends(*this, columns_);
   const auto valid = [](const FaceColumn& c) { return c.valid; };
   const auto first = std::find_if(columns_.begin(), columns_.end(), valid);
   const auto last = std::find_if(columns_.rbegin(), columns_.rend(), valid);

@@ -164,6 +164,37 @@ TEST(FaceShape, AnEndSeenFarBeyondTheEdgesLeavesTheRestAlone) {
   }
 }
 
+// Bright dots next to the edges may draw the traced edges outwards at the tip.
+TEST(FaceShape, EdgesDrawnOutwardsAtTheirEndDoNotTurnTheFaceOnItsEdge) {
+  const Camera camera = Camera::create(pinhole()).value();
+  constexpr std::size_t kDrawn = 16;  // windows
+  for (const double slope : {0.55, 0.9})
+    for (const double drawn_px : {8.0, 15.0, 30.0})
+      for (unsigned seed = 1; seed <= 10; ++seed) {
+        Plane plane;
+        plane.m = slope;
+        FaceEdges edges = edges_of(plane, camera, 0.1, seed);
+        std::size_t last = edges.u.size() - 1;
+        while (!edges.upper.valid[last]) --last;
+        for (std::size_t k = 0; k < kDrawn; ++k) {
+          const double off_px = drawn_px * std::pow(1.0 - static_cast<double>(k) / kDrawn, 2);
+          edges.upper.v[last - k] -= off_px;
+          edges.lower.v[last - k] += off_px;
+        }
+        const auto shape = FaceShape::fit(edges, camera, fin_ray(), kDefaultProfileDegree);
+        ASSERT_TRUE(shape.ok()) << shape.error().sentence();
+        int valid = 0;
+        for (int u = 0; u < shape->width_px(); ++u) {
+          const auto i = static_cast<std::size_t>(u);
+          if (!shape->columns()[i].valid) continue;
+          ++valid;
+          ASSERT_LE(std::abs(shape->along_z_per_normal()[i]), 5.0F)
+              << slope << ' ' << drawn_px << ' ' << seed << ' ' << u;
+        }
+        EXPECT_GT(valid, 600);
+      }
+}
+
 TEST(FaceShape, PromisesTheErrorItMakes) {
   const Camera camera = Camera::create(pinhole()).value();
   const Plane plane;
