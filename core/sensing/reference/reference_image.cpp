@@ -70,7 +70,7 @@ std::vector<std::int16_t> fixed_weights(const std::vector<float>& weights, doubl
     left -= rounded[i];
     magnitude += std::abs(weight);
   }
-  CV_Assert(magnitude <= kMaxWeight && std::abs(left) < 0.01 * kOne);
+  CV_Assert(magnitude <= gain * kMaxWeight && std::abs(left) < 0.01 * kOne);
   std::int16_t& largest = *std::max_element(rounded.begin(), rounded.end());
   largest = static_cast<std::int16_t>(std::min(largest + left, 32767.0));
   return rounded;
@@ -98,32 +98,56 @@ namespace {
 constexpr int kSeamColumns = 24;  // of the grid, next to the columns that another mix fills
 constexpr double kMaxSeamGain = 1.5;
 
-/// Mean grey level of a mix over columns of the grid.
-double mean_over(const FaceMix& mix, const FaceGrid& grid, int first, int end) {
-  double sum = 0, pixels = 0;
-  for (const FaceRun& run : grid.runs.runs) {
-    const int from = std::max(run.first, first), to = std::min(run.end, end);
-    if (from >= to) continue;
-    pixels += to - from;
-    for (std::size_t k = 0; k < mix.faces.size(); ++k) {
-      const std::uint8_t* grey = mix.faces[k]->grey.data() + run.before + (from - run.first);
-      sum += static_cast<double>(mix.weights[k]) * std::accumulate(grey, grey + (to - from), 0);
-    }
+/// Factor of a mix by the row of the grid.
+struct RowGain {
+  double constant = 1, per_row = 0;
+  double most = kMaxSeamGain;  ///< at least 1
+
+  [[nodiscard]] double at(int row) const {
+    return std::clamp(constant + per_row * row, 1.0 / kMaxSeamGain, most);
   }
-  return pixels > 0 ? sum / pixels : 0.0;
+};
+
+/// The largest factor with which each weight still fits into 16 bits.
+double most_gain(const std::vector<float>& weights) {
+  constexpr double kMostWeight = 1.999;
+  double largest = 0;
+  for (const float weight : weights)
+    largest = std::max(largest, static_cast<double>(std::abs(weight)));
+  return std::clamp(kMostWeight / largest, 1.0, kMaxSeamGain);
 }
 
-/// Factor by which the further mix continues the nearer one without a step. Frames of further poses
-/// are lit otherwise, which would read as depth over the entire end of the face.
-double seam_gain(const FaceMix& near, const FaceMix& further, const FaceGrid& grid, int first,
-                 int end) {
-  const double have = mean_over(further, grid, first, end);
-  const double need = mean_over(near, grid, first, end);
-  if (!(have > 0) || !(need > 0)) return 1.0;
-  double magnitude = 0;
-  for (const float weight : further.weights) magnitude += static_cast<double>(std::abs(weight));
-  const double most = std::min(kMaxSeamGain, 0.999 * kMaxWeight / magnitude);  // less rounding
-  return std::clamp(need / have, 1.0 / kMaxSeamGain, most);
+/// Sum of a mix over n pixels of a run, `offset` from its beginning.
+double sum_over(const FaceMix& mix, std::size_t offset, int n) {
+  double sum = 0;
+  for (std::size_t k = 0; k < mix.faces.size(); ++k) {
+    const std::uint8_t* grey = mix.faces[k]->grey.data() + offset;
+    sum += static_cast<double>(mix.weights[k]) * std::accumulate(grey, grey + n, 0);
+  }
+  return sum;
+}
+
+/// Factor by which the further mix continues the nearer one without a step: least squares over
+/// these columns. Frames of further poses are lit otherwise, which would read as depth over the
+/// entire end of the face.
+RowGain seam_gain(const FaceMix& near, const FaceMix& further, const FaceGrid& grid, int first,
+                  int end) {
+  Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
+  Eigen::Vector2d right = Eigen::Vector2d::Zero();
+  for (const FaceRun& run : grid.runs.runs) {
+    const int from = std::max(run.first, first), n = std::min(run.end, end) - from;
+    if (n <= 0) continue;
+    const auto offset = run.before + static_cast<std::size_t>(from - run.first);
+    const double have = sum_over(further, offset, n);
+    const Eigen::Vector2d row(have, have * run.row);
+    normal += row * row.transpose();
+    right += row * sum_over(near, offset, n);
+  }
+  const Eigen::LDLT<Eigen::Matrix2d> solver(normal);
+  if (!(normal(0, 0) > 0)) return {};
+  const Eigen::Vector2d gain = solver.rcond() > 1e-9 ? Eigen::Vector2d(solver.solve(right))
+                                                     : Eigen::Vector2d(right[0] / normal(0, 0), 0);
+  return {gain[0], gain[1], most_gain(further.weights)};
 }
 
 }  // namespace
@@ -135,12 +159,11 @@ struct ReferenceImage::MixedColumns {
   std::vector<std::int16_t> weights;
   std::vector<const std::uint8_t*> rows;  // of the faces, where a run begins
 
-  MixedColumns(const FaceMix& of, double gain, int from, int to)
-      : mix(of),
-        first(from),
-        end(to),
-        weights(fixed_weights(of.weights, gain)),
-        rows(of.faces.size()) {
+  RowGain gain;
+  int row = -1;  // that `weights` are of
+
+  MixedColumns(const FaceMix& of, const RowGain& by_row, int from, int to)
+      : mix(of), first(from), end(to), rows(of.faces.size()), gain(by_row) {
     CV_Assert(!mix.faces.empty() && mix.faces.size() == mix.weights.size());
   }
 
@@ -148,6 +171,9 @@ struct ReferenceImage::MixedColumns {
   void mix_run(const FaceRun& run, std::int16_t* mixed) {
     const int from = std::max(run.first, first), to = std::min(run.end, end);
     if (from >= to) return;
+    if (weights.empty() || gain.at(run.row) != gain.at(row))
+      weights = fixed_weights(mix.weights, gain.at(run.row));
+    row = run.row;
     // A full block also for few columns, because partial vectors are slow.
     std::array<std::int16_t, kBlock> block;
     const bool is_narrow = to - from < kBlock && run.size() >= kBlock;
@@ -170,13 +196,14 @@ ReferenceImage::ReferenceImage(const FaceGrid& grid, const std::vector<FaceMix>&
   const std::pair<int, int> inner = mixes.front().shown(grid);
   std::pair<int, int> done = inner;
   std::vector<MixedColumns> parts;
-  if (done.first < done.second) parts.emplace_back(mixes.front(), 1.0, done.first, done.second);
+  if (done.first < done.second)
+    parts.emplace_back(mixes.front(), RowGain(), done.first, done.second);
   std::tie(inner_first_, inner_end_) = columns_within(done.first, done.second);
   for (std::size_t k = 1; k < mixes.size(); ++k) {
     const auto [first, end] = mixes[k].shown(grid);
     const auto take = [&](int from, int to, int seam) {
       if (from >= to) return;
-      const double gain =
+      const RowGain gain =
           seam_gain(mixes.front(), mixes[k], grid, std::max({first, inner.first, seam}),
                     std::min({end, inner.second, seam + kSeamColumns}));
       parts.emplace_back(mixes[k], gain, from, to);

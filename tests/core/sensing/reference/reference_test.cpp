@@ -205,6 +205,37 @@ TEST(ReferenceImage, ContinuesByTheSecondMixWhereTheFirstDoesNotShowTheSkin) {
   }
 }
 
+TEST(ReferenceImage, ContinuesWithWeightsOfAnySizeAndLightFromOneSide) {
+  const test::MarkedFinger finger;
+  const FaceChart chart = chart_of(finger.shape({})).value();
+  const FaceGrid grid = face_grid(chart, 0.15);
+  constexpr int kShorter = 60;
+  FaceChart shorter = chart;
+  for (auto values : {&FaceChart::along_mm, &FaceChart::upper_v, &FaceChart::lower_v})
+    (shorter.*values).resize(chart.along_mm.size() - kShorter);
+  const cv::Size size(finger.width, finger.height);
+  const int border = chart.end() - kShorter;
+  // Lit more from above than the first: 1.1 times as bright at the top, 0.9 times at the bottom.
+  cv::Mat even(size, CV_8UC1, cv::Scalar(100)), tilted(size, CV_8UC1);
+  for (int v = 0; v < size.height; ++v)
+    tilted.row(v).setTo(std::round(100.0 * (1.1 - 0.2 * v / size.height)));
+  const FaceImage near = warp_face(even, shorter, grid), further = warp_face(tilted, chart, grid);
+  for (const float weight : {1.0F, 1.5F, 1.75F}) {
+    const ReferenceImage image(grid,
+                               {{{&near}, {1.0F}}, {{&further, &further}, {weight, 1.0F - weight}}},
+                               ChartWarp(chart, grid.chart), size);
+    const cv::Mat grey = image.grey();
+    for (int u = border + 4; u < chart.end() - 2; u += 3) {
+      const auto i = static_cast<std::size_t>(u - chart.first);
+      for (const double t : {0.1, 0.5, 0.9}) {
+        const int v =
+            static_cast<int>(chart.upper_v[i] + t * (chart.lower_v[i] - chart.upper_v[i]));
+        EXPECT_NEAR(grey.at<float>(v, u), 100.0, 1.0) << weight << ' ' << u << ' ' << t;
+      }
+    }
+  }
+}
+
 TEST(ReferenceImage, ShowsWhatColumnsShareOfASlantedEnd) {
   const test::MarkedFinger finger;
   const FaceChart chart = chart_of(finger.shape({})).value();
