@@ -191,30 +191,13 @@ FaceShape FaceShape::plane(const Camera& camera, const Face& face) {
 
 namespace {
 
-/// An end where the fitted face turns on its edge as seen along z is a misfit, as of an edge that
-/// was traced wrongly. Depth along z would be many times that along the normal.
-void drop_turned_ends(const FaceShape& shape, std::vector<FaceColumn>& columns) {
-  constexpr double kMinCosIncline = 0.2;  // 78 degrees
-  constexpr std::size_t kMostPart = 8;    // of all columns, at each end
-  const std::size_t count = columns.size();
-  for (const bool is_high_end : {false, true}) {
-    std::size_t dropped = 0;
-    for (std::size_t k = 0; k < count && dropped < count / kMostPart; ++k) {
-      const std::size_t u = is_high_end ? count - 1 - k : k;
-      FaceColumn& column = columns[u];
-      if (!column.valid) continue;
-      const auto local = shape.at(static_cast<double>(u), 0.5 * (column.upper_v + column.lower_v));
-      if (local && local->cos_incline >= kMinCosIncline) break;
-      column.valid = false;
-      ++dropped;
-    }
-  }
-}
+/// Of 75 degrees. Lengths along z of a steeper face are those of this incline: where the fit turns
+/// a face on its edge, as edges drawn outwards by dots do, they would grow without limit.
+constexpr double kMinCosIncline = 0.25881904510252074;
 
 }  // namespace
 
 void FaceShape::finish() {
-  if (camera_.is_perspective()) drop_turned_ends(*this, columns_);
   const auto valid = [](const FaceColumn& c) { return c.valid; };
   const auto first = std::find_if(columns_.begin(), columns_.end(), valid);
   const auto last = std::find_if(columns_.rbegin(), columns_.rend(), valid);
@@ -227,9 +210,11 @@ void FaceShape::finish() {
     const FaceColumn& column = columns_[k];
     if (!across_.empty()) {
       if (column.valid && across_[k].z_mm > 0.0)
-        along_z_per_normal_[k] = static_cast<float>(1.0 / across_[k].normal.z());
+        along_z_per_normal_[k] =
+            static_cast<float>(1.0 / std::max(across_[k].normal.z(), kMinCosIncline));
     } else if (const auto local = at(u, 0.5 * (column.upper_v + column.lower_v))) {
-      along_z_per_normal_[k] = static_cast<float>(1.0 / local->cos_incline);
+      along_z_per_normal_[k] =
+          static_cast<float>(1.0 / std::max(local->cos_incline, kMinCosIncline));
     }
   }
 }
@@ -309,8 +294,7 @@ double FaceShape::ray_area(const Ray& ray, double u, double v, double inverse_z)
 Eigen::Vector3d untouched_point_mm(const FaceShape::Local& local, double layer_mm,
                                    MappingAlong along) {
   if (along == MappingAlong::kNormal) return local.view_point_mm + layer_mm * local.normal;
-  constexpr double kCosLimit = 0.25881904510252074;  // of 75 degrees
-  const double thickness = layer_mm / std::max(local.cos_incline, kCosLimit);
+  const double thickness = layer_mm / std::max(local.cos_incline, kMinCosIncline);
   return local.view_point_mm + Eigen::Vector3d(0.0, 0.0, thickness);
 }
 
