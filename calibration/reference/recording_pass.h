@@ -88,10 +88,10 @@ struct RecordingStudy {
 };
 
 /// Compares frames, at most 240 spread over the recording, with the local regression over the
-/// others. Frames taken shortly before and
-/// after show the same pose and are left out (an eighth of the recording, at most two seconds). The
-/// frames must be untouched (contact_search.h). `numbered`: the markers of the library's frames, by
-/// index. Errors: a stopped job; a frame that cannot be read.
+/// others. Those taken shortly before and after show the same pose and are left out (an eighth of
+/// the recording, at most two seconds). The frames must be untouched (contact_search.h).
+/// `numbered`: the markers of the library's frames, by index. Errors: a stopped job; a frame that
+/// cannot be read.
 [[nodiscard]] Result<RecordingStudy> study_recording(const ReferenceLibrary& library,
                                                      const std::vector<Markers>& numbered,
                                                      const RecordingFrameReader& frame,

@@ -3,8 +3,8 @@
 //   name: "groove of the seal"
 //   readings:
 //     - {name: depth, what: step, a_mm: [30, -2], b_mm: [36, -2], lower: 0.45, upper: 0.55}
-//     - {name: grain, what: roughness, a_mm: [30, -2], b_mm: [36, 2], form_degree: 4, lambda_c_mm:
-//     0.8}
+//     - {name: grain, what: roughness, a_mm: [30, -2], b_mm: [36, 2], form_degree: 4,
+//        lambda_c_mm: 0.8}
 // Positions are mm on the face, along it and across it; limits have the unit of what is read.
 #pragma once
 

@@ -108,7 +108,7 @@ struct SurfaceReading {
 
 // Table of the readings between A and B, to read and to copy.
 
-/// "form of degree 4, wavelengths up to 0.8 mm"; empty for the default.
+/// "without a form of degree 4, wavelengths up to 0.8 mm"; empty for the default.
 [[nodiscard]] QString filter_text(const RoughnessFilter& filter);
 
 class SurfaceBox : public Translated<QGroupBox> {

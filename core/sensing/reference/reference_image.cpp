@@ -160,7 +160,7 @@ struct ReferenceImage::MixedColumns {
   std::vector<const std::uint8_t*> rows;  // of the faces, where a run begins
 
   RowGain gain;
-  int row = -1;  // that `weights` are of
+  double gain_of_weights = 0;
 
   MixedColumns(const FaceMix& of, const RowGain& by_row, int from, int to)
       : mix(of), first(from), end(to), rows(of.faces.size()), gain(by_row) {
@@ -171,9 +171,8 @@ struct ReferenceImage::MixedColumns {
   void mix_run(const FaceRun& run, std::int16_t* mixed) {
     const int from = std::max(run.first, first), to = std::min(run.end, end);
     if (from >= to) return;
-    if (weights.empty() || gain.at(run.row) != gain.at(row))
-      weights = fixed_weights(mix.weights, gain.at(run.row));
-    row = run.row;
+    if (const double factor = gain.at(run.row); factor != gain_of_weights)
+      weights = fixed_weights(mix.weights, gain_of_weights = factor);
     // A full block also for few columns, because partial vectors are slow.
     std::array<std::int16_t, kBlock> block;
     const bool is_narrow = to - from < kBlock && run.size() >= kBlock;
