@@ -235,7 +235,8 @@ struct MarkedFinger {
   }
 
   /// The face's shape from its true edges.
-  [[nodiscard]] FaceShape shape(const Bend& bend) const {
+  /// Of the face, without its ends.
+  [[nodiscard]] FaceEdges edges(const Bend& bend) const {
     FaceEdges edges;
     const auto up = edge(bend, -1, 0), low = edge(bend, 1, 0);
     for (int u = 4; u < width; u += 8) {
@@ -249,7 +250,11 @@ struct MarkedFinger {
       }
     }
     edges.noise_sd = noise;
-    return FaceShape::fit(edges, Camera::create(camera()).value(), face(), 7).value();
+    return edges;
+  }
+
+  [[nodiscard]] FaceShape shape(const Bend& bend) const {
+    return FaceShape::fit(edges(bend), Camera::create(camera()).value(), face(), 7).value();
   }
 
   [[nodiscard]] std::vector<Dot> typical(const Bend& bend) const {

@@ -238,6 +238,29 @@ class SkinCentre {
   double weight_ = 0, square_ = 0, noise_ = 0;
 };
 
+/// Mean depth of a region in standard deviations of contact-free skin. Cells are weighted by their
+/// certainty: a few at the face's end, where there is hardly a reference, hide no contact.
+class Significance {
+ public:
+  void add(const CellSums& cell, const UntouchedSd& sd) {
+    const double variance = sd.noise * sd.noise + sd.systematic * sd.systematic;
+    const double each = 1.0 / std::max(variance, 1e-12), weight = each * cell.pixels;
+    weight_ += weight;
+    square_ += each * weight;
+    depth_ += each * cell.depth;
+    noise_ += weight * sd.noise;
+    systematic_ += weight * sd.systematic;
+  }
+  [[nodiscard]] double sds(const RegionOptions& options) const {
+    const double pixels = weight_ * weight_ / square_;  // as many of the same weight
+    const double sd = sd_of_mean({noise_ / weight_, systematic_ / weight_}, pixels, options);
+    return depth_ / weight_ / std::max(sd, 1e-9);
+  }
+
+ private:
+  double weight_ = 0, square_ = 0, depth_ = 0, noise_ = 0, systematic_ = 0;
+};
+
 /// Sums of a region, accumulated cell by cell. Within a cell of 4 px the face is even. Its own
 /// spread of (4^2 - 1) / 12 px^2 is isotropic and omitted.
 class RegionSums {
@@ -257,9 +280,7 @@ class RegionSums {
   void add(const CellSums& cell, const UntouchedSd& sd, const RegionOptions& options) {
     const Eigen::Vector2d middle(cell.depth_u / cell.depth, cell.depth_v / cell.depth);
     region_.limits |= cell.limits;
-    depth_ += cell.depth;
-    noise_ += cell.pixels * sd.noise;
-    systematic_ += cell.pixels * sd.systematic;
+    significance_.add(cell, sd);
     const auto local = shape_.at(middle.x(), middle.y());
     const auto area = shape_.pixel_area(middle.x(), middle.y());
     if (!local || !area) return;
@@ -311,9 +332,7 @@ class RegionSums {
   [[nodiscard]] bool empty() const { return region_.pixels == 0; }
   /// Whether contact-free skin would hardly ever have these depths.
   [[nodiscard]] bool is_significant(const RegionOptions& options) const {
-    const double pixels = region_.pixels;
-    const double sd = sd_of_mean({noise_ / pixels, systematic_ / pixels}, pixels, options);
-    return depth_ / pixels >= kMinSds * sd;
+    return significance_.sds(options) >= kMinSds;
   }
   /// Greatest depth in standard deviations; infinite without `pressed`.
   [[nodiscard]] double sds_deep(const RegionOptions& options) const {
@@ -420,7 +439,7 @@ class RegionSums {
   MeanErrors errors_;
   ContactRegion region_;  // positions not yet divided by the volume
   Eigen::Vector3d origin_mm_ = Eigen::Vector3d::Zero();
-  double depth_ = 0, noise_ = 0, systematic_ = 0;  // sums over the pixels
+  Significance significance_;
   SkinCentre centre_;
 };
 

@@ -68,9 +68,9 @@ struct RegionOptions {
 ///
 /// A cell is in contact where its mean depth exceeds the threshold and 4 sd of contact-free skin
 /// there: sd^2 = noise^2 / n + systematic^2, with n its independent pixels (one in correlated_px2).
-/// A region's mean depth must fulfil the same, with n of its own. Its greatest depth must exceed 4
-/// of its sd without DepthErrorTerms::lateral: a lateral offset next to a steep wall does not
-/// change that there is depth.
+/// A region's mean depth, weighted by 1 / sd^2, must fulfil the same, with n of its own. Its
+/// greatest depth must exceed 4 of its sd without DepthErrorTerms::lateral: a lateral offset next
+/// to a steep wall does not change that there is depth.
 ///
 /// Position of the deepest skin: skin moves along z. On a face inclined by theta the middle of a
 /// body, that of the volume which it displaces, differs from the skin that lies deepest below it by

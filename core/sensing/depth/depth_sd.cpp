@@ -67,7 +67,23 @@ DepthErrorModel::At DepthErrorModel::table_curve_at(double depth_mm) const {
   return {between(x_), between(slope_mm_)};
 }
 
-double DepthErrorModel::reference_sd(int u, int v) {
+namespace {
+
+constexpr int kSlopePx = 3;  // on either side: over more than the noise's correlation
+
+}  // namespace
+
+DepthErrorModel::Level DepthErrorModel::level_from(const std::int16_t* row, int u) const {
+  const auto here = static_cast<double>(row[u]);
+  // Next to the face's ends only one side has values.
+  int first = u, last = u;
+  while (first > std::max(0, u - kSlopePx) && row[first - 1] > 0) --first;
+  while (last < std::min(depth_.depth_mm.cols - 1, u + kSlopePx) && row[last + 1] > 0) ++last;
+  const double per_px = (row[last] - row[first]) / (here * std::max(1, last - first));
+  return {here / kGreySteps, per_px};
+}
+
+double DepthErrorModel::reference_sd(int u, int v, const Level& level) {
   const cv::Mat& sd = reference_.relative_sd;
   if (sd.empty()) return 0.0;
   const ChartWarp& warp = reference_.image.warp();
@@ -79,8 +95,14 @@ double DepthErrorModel::reference_sd(int u, int v) {
             y = static_cast<int>(at_v - static_cast<float>(origin.y)) / kErrorCellPx;
   const double factor =
       reference_.image.is_first_mix(u) ? reference_.error_factor : reference_.outer_error_factor;
-  return factor * static_cast<double>(
-                      sd.at<float>(std::clamp(y, 0, sd.rows - 1), std::clamp(x, 0, sd.cols - 1)));
+  const auto recorded = static_cast<double>(
+      sd.at<float>(std::clamp(y, 0, sd.rows - 1), std::clamp(x, 0, sd.cols - 1)));
+  const auto& registration_sd_px = reference_.registration_sd_px;
+  const double moved =
+      registration_sd_px.empty()
+          ? 0.0
+          : static_cast<double>(registration_sd_px[static_cast<std::size_t>(u)]) * level.per_px;
+  return std::hypot(factor * recorded, moved);
 }
 
 void DepthErrorModel::add_lateral(int u, int v, DepthErrorTerms& causes) const {
@@ -129,9 +151,10 @@ double DepthErrorModel::spread_sd(int u, int v) const {
          spread.optical_thickness_sd;
 }
 
-double DepthErrorModel::level_at(int u, int v) {
-  const FaceRun one{v, u, u + 1, 0};
-  return static_cast<double>(reader_.row(v, {&one, 1})[u]) / kGreySteps;
+DepthErrorModel::Level DepthErrorModel::level_at(int u, int v) {
+  const FaceRun near{v, std::max(0, u - kSlopePx), std::min(depth_.depth_mm.cols, u + kSlopePx + 1),
+                     0};
+  return level_from(reader_.row(v, {&near, 1}), u);
 }
 
 /// The same without the table, which costs as much as some hundred single depths. Newton's method
@@ -164,7 +187,7 @@ DepthErrorModel::At DepthErrorModel::solved_curve_at(double depth_mm) const {
   return {x, slope_mm};
 }
 
-DepthErrorTerms DepthErrorModel::causes(int u, int v, double level, double depth_mm,
+DepthErrorTerms DepthErrorModel::causes(int u, int v, const Level& level, double depth_mm,
                                         ReadCurve read) {
   const Eigen::Vector2d position = shape_.position_mm(u, v);
   const double longer = static_cast<double>(along_z_[static_cast<std::size_t>(u)]);
@@ -174,33 +197,34 @@ DepthErrorTerms DepthErrorModel::causes(int u, int v, double level, double depth
   const double left = std::max(0.0, 1.0 - x);
   DepthErrorTerms causes;
   const SpreadGain gain = spread_gain(u);
-  causes.noise = per_part * gain.noise * depth_.live_sd / level *
+  causes.noise = per_part * gain.noise * depth_.live_sd / level.here *
                  std::hypot(1.0, left * reference_.noise_gain);
   causes.mapping =
       std::hypot(longer * mapping_.depth_sd_mm(x, position), per_part * spread_sd(u, v));
-  causes.reference = per_part * gain.level * left * reference_sd(u, v);
+  causes.reference = per_part * gain.level * left * reference_sd(u, v, level);
   causes.light = per_part * gain.level * left * depth_.light.sd_at(u, v) / depth_.light.at(u, v);
   return causes;
 }
 
 DepthErrorTerms DepthErrorModel::of_depth(int u, int v, double depth_mm) {
-  const double level = level_at(u, v);
-  if (!(level > 0)) return {};
+  const Level level = level_at(u, v);
+  if (!(level.here > 0)) return {};
   DepthErrorTerms all = causes(u, v, level, depth_mm, &DepthErrorModel::solved_curve_at);
   add_lateral(u, v, all);
   return all;
 }
 
 UntouchedSd DepthErrorModel::untouched(int u, int v) {
-  const double level = level_at(u, v);
-  if (!(level > 0)) return {};
+  const Level level = level_at(u, v);
+  if (!(level.here > 0)) return {};
   const double per_part = static_cast<double>(along_z_[static_cast<std::size_t>(u)]) *
                           mapping_.parameters().variation.at(shape_.position_mm(u, v)) *
                           mapping_.slope_mm(0.0);
   const SpreadGain gain = spread_gain(u);
-  return {per_part * gain.noise * depth_.live_sd / level * std::hypot(1.0, reference_.noise_gain),
-          per_part * gain.level *
-              std::hypot(reference_sd(u, v), depth_.light.sd_at(u, v) / depth_.light.at(u, v))};
+  return {
+      per_part * gain.noise * depth_.live_sd / level.here * std::hypot(1.0, reference_.noise_gain),
+      per_part * gain.level *
+          std::hypot(reference_sd(u, v, level), depth_.light.sd_at(u, v) / depth_.light.at(u, v))};
 }
 
 cv::Mat depth_sd_mm(const DepthMap& depth, const Reference& reference, const FaceShape& shape,

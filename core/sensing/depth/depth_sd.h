@@ -22,7 +22,8 @@ struct DepthErrorTerms {
   /// scattering of light (light_spread.h).
   double mapping = 0;
   /// Error of this recording's references here (reference_image.h), from the pose, imperfect skin
-  /// registration and blemishes: f M'(x) (1 - x) sd_ref / I_ref.
+  /// registration and blemishes: f M'(x) (1 - x) sd_ref / I_ref. sd_ref comprises that of this
+  /// frame's registration (Reference::registration_sd_px) times the slope of I_ref.
   double reference = 0;
   double light = 0;  ///< uncertainty of the light's change: f M'(x) (1 - x) sd(q) / q
   /// Where depth changes fast: a lateral offset of a quarter of a pixel, and the bias of smoothing.
@@ -62,9 +63,14 @@ class DepthErrorModel {
   void build_curve();
   [[nodiscard]] At table_curve_at(double depth_mm) const;
   [[nodiscard]] At solved_curve_at(double depth_mm) const;
-  [[nodiscard]] double reference_sd(int u, int v);
+  /// Grey level of the reference at a pixel, and its relative change from column to column.
+  struct Level {
+    double here, per_px;
+  };
+  [[nodiscard]] Level level_from(const std::int16_t* row, int u) const;
+  [[nodiscard]] double reference_sd(int u, int v, const Level& level);
   void add_lateral(int u, int v, DepthErrorTerms& causes) const;
-  [[nodiscard]] double level_at(int u, int v);
+  [[nodiscard]] Level level_at(int u, int v);
   /// Errors after the removal of spread light over before.
   struct SpreadGain {
     double noise = 1, level = 1;
@@ -72,7 +78,8 @@ class DepthErrorModel {
   [[nodiscard]] SpreadGain spread_gain(int u) const;
   [[nodiscard]] double spread_sd(int u, int v) const;  ///< of x, by the uncertain scattering
   using ReadCurve = At (DepthErrorModel::*)(double depth_mm) const;
-  [[nodiscard]] DepthErrorTerms causes(int u, int v, double level, double depth_mm, ReadCurve read);
+  [[nodiscard]] DepthErrorTerms causes(int u, int v, const Level& level, double depth_mm,
+                                       ReadCurve read);
 
   const DepthMap& depth_;
   const Reference& reference_;
@@ -107,8 +114,8 @@ void DepthErrorModel::row(int v, Put put) {
   const float* depth = depth_.depth_mm.ptr<float>(v);
   for (int u = 0; u < depth_.depth_mm.cols; ++u)
     if (depth[u] == depth[u] && grey[u] > 0) {
-      DepthErrorTerms all = causes(u, v, static_cast<double>(grey[u]) / 64.0,
-                                   static_cast<double>(depth[u]), &DepthErrorModel::table_curve_at);
+      DepthErrorTerms all = causes(u, v, level_from(grey, u), static_cast<double>(depth[u]),
+                                   &DepthErrorModel::table_curve_at);
       add_lateral(u, v, all);
       put(u, all);
     }

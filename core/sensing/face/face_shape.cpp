@@ -722,17 +722,35 @@ void FaceShape::compute_lengths() {
   }
 }
 
+double FaceShape::end_sd_mm(bool at_base, double column) const {
+  const bool is_first = at_base == base_at_low_u_;
+  const double inwards = is_first ? 1.0 : -1.0;
+  const double inner = std::clamp(column + 2 * inwards, 0.0, width_px() - 1.0);
+  const double mm_per_px = std::abs(length_at(inner + inwards) - length_at(inner));
+  const double sd_px = (is_first ? ends_.first : ends_.last)->sd_px;
+  // The crossing of the mean level is slightly off a blurred end.
+  constexpr double kEndBias_px = 0.07;
+  return mm_per_px * std::hypot(sd_px, kEndBias_px);
+}
+
 std::optional<double> FaceShape::base_sd_mm() const {
   if (full_image_) return 0.0;
   const auto end = end_column(true);
   if (!end) return std::nullopt;
-  const double half = base_at_low_u_ ? 1.0 : -1.0;
-  const double inner = std::clamp(*end + 2 * half, 0.0, width_px() - 1.0);
-  const double mm_per_px = std::abs(length_at(inner + half) - length_at(inner));
-  const double sd_px = (base_at_low_u_ ? ends_.first : ends_.last)->sd_px;
-  // The crossing of the mean level is slightly off a blurred end.
-  constexpr double kEndBias_px = 0.07;
-  return mm_per_px * std::hypot(sd_px, kEndBias_px);
+  return end_sd_mm(true, *end);
+}
+
+std::optional<FaceShape::TipEnd> FaceShape::tip_end() const {
+  if (full_image_) return std::nullopt;
+  const auto end = end_column(false);
+  if (!end) return std::nullopt;
+  // Constant from the end on.
+  const double length_mm = length_at(base_at_low_u_ ? width_px() - 1.0 : 0.0);
+  const FaceColumn& column = columns_[static_cast<std::size_t>(
+      std::clamp(std::lround(*end), 0L, static_cast<long>(columns_.size()) - 1))];
+  const double slope = (base_at_low_u_ ? ends_.last : ends_.first)->slope;
+  const double lean_px = 0.5 * slope * (column.lower_v - column.upper_v);
+  return TipEnd{length_mm, end_sd_mm(false, *end), lean_px};
 }
 
 double FaceShape::length_at(double u) const {

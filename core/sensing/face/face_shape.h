@@ -122,6 +122,13 @@ class FaceShape {
   /// Standard deviation of the origin of length_at, mm; 0 on a flat sensor. nullopt: the face's
   /// base end is outside the image or was not found, so that the length before it is unknown.
   [[nodiscard]] std::optional<double> base_sd_mm() const;
+  /// The face's tip end. nullopt as above, and on a flat sensor.
+  struct TipEnd {
+    double length_mm;  ///< length_at
+    double sd_mm;      ///< by the end's column alone; the shape's own error is FaceColumn::z_sd_mm
+    double lean_px;    ///< column of the end at the lower edge minus that in the middle
+  };
+  [[nodiscard]] std::optional<TipEnd> tip_end() const;
 
   /// A point on the middle line between the edges.
   struct Middle {
@@ -151,6 +158,7 @@ class FaceShape {
   std::optional<Middle> middle_within(double u) const;  // u between valid columns
   void compute_across();
   std::optional<double> end_column(bool at_base) const;  // on the middle of the face
+  double end_sd_mm(bool at_base, double column) const;   // along the face
   void compute_lengths();
   double z_of_column(int u) const;  // on the middle of the face; 0 where there is none
   void finish();

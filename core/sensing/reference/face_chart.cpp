@@ -58,12 +58,17 @@ struct Profile {
     return nearest_of(point_mm, rough - std::min(rough, kEvery),
                       std::min(at_mm.size(), rough + kEvery + 1), 1);
   }
-  /// s of the foot of a point on the profile near entry i; NaN beyond the ends.
-  [[nodiscard]] double foot_mm(const Eigen::Vector2d& point_mm, std::size_t i) const {
-    if (i == 0 || i + 1 == at_mm.size()) return std::numeric_limits<double>::quiet_NaN();
+  struct Foot {
+    double s_mm;
+    Eigen::Vector2d at_mm, tangent;  ///< x and z; unit vector towards greater s
+  };
+  /// Foot of a point on the profile near entry i; nullopt beyond the ends.
+  [[nodiscard]] std::optional<Foot> foot(const Eigen::Vector2d& point_mm, std::size_t i) const {
+    if (i == 0 || i + 1 == at_mm.size()) return std::nullopt;
     const Eigen::Vector2d along = at_mm[i + 1] - at_mm[i - 1];
     const double part = along.dot(point_mm - at_mm[i - 1]) / along.squaredNorm();
-    return s_mm[i - 1] + part * (s_mm[i + 1] - s_mm[i - 1]);
+    return Foot{s_mm[i - 1] + part * (s_mm[i + 1] - s_mm[i - 1]), at_mm[i - 1] + part * along,
+                along.normalized()};
   }
 
  private:
@@ -148,11 +153,25 @@ std::optional<FaceChart> chart_of(const FaceShape& shape) {
   return chart;
 }
 
-std::vector<double> marker_lengths_mm(const FaceChart& chart, const FaceShape& shape,
-                                      const Markers& markers) {
-  std::vector<double> lengths(markers.size(), std::numeric_limits<double>::quiet_NaN());
+namespace {
+
+/// The skin below a marker.
+struct SkinBelow {
+  double s_mm = std::numeric_limits<double>::quiet_NaN();  ///< NaN: unknown
+  double per_tilt = 1;  ///< how much s_mm grows where the chart's tilt on this side falls by 1 mm
+};
+
+/// The two markers of a pair (numbers m and m + n) lie off the face, towards the camera: the
+/// distance of their image gives their common z, and the nearest point of the profile is the skin
+/// below their middle. One lies as far before the middle, along its own line of sight, as the other
+/// behind it. That is exact where the pair is skew, or turns within the face. Where the face
+/// twists, the markers, which are nearer, move more in the image than its edges: per_tilt lies
+/// between both.
+std::vector<SkinBelow> skin_below(const FaceChart& chart, const FaceShape& shape,
+                                  const Markers& markers) {
+  std::vector<SkinBelow> below(markers.size());
   const Profile profile(chart, shape);
-  if (profile.at_mm.size() < 3) return lengths;
+  if (profile.at_mm.size() < 3) return below;
   const std::size_t pairs = markers.size() / 2;
   for (std::size_t m = 0; m < pairs; ++m) {
     const Marker &upper = markers[m], &lower = markers[m + pairs];
@@ -162,68 +181,233 @@ std::vector<double> marker_lengths_mm(const FaceChart& chart, const FaceShape& s
     const Eigen::Vector3d up = upper_ray->point_at(1.0), low = lower_ray->point_at(1.0);
     const double z_mm = shape.face().width_mm / (low.y() - up.y());
     if (!(z_mm > 0.0) || !std::isfinite(z_mm)) continue;
-    const auto length_below = [&](const Eigen::Vector3d& unit) {
-      const Eigen::Vector2d point_mm = z_mm * Eigen::Vector2d(unit.x(), 1.0);
-      return profile.foot_mm(point_mm, profile.nearest(point_mm));
-    };
-    if (upper.seen) lengths[m] = length_below(up);
-    if (lower.seen) lengths[m + pairs] = length_below(low);
+    const Eigen::Vector2d middle_mm = z_mm * Eigen::Vector2d(0.5 * (up.x() + low.x()), 1.0);
+    const auto foot = profile.foot(middle_mm, profile.nearest(middle_mm));
+    if (!foot) continue;
+    // Distances of face and markers' middle from the camera, along the normal.
+    const Eigen::Vector2d normal(-foot->tangent.y(), foot->tangent.x());
+    const double face_mm = normal.dot(foot->at_mm), markers_mm = normal.dot(middle_mm);
+    constexpr double kMinPart = 0.1;  // of z: nearly along the line of sight nothing is known
+    if (!(std::abs(markers_mm) > kMinPart * z_mm) || !(face_mm * markers_mm > 0.0)) continue;
+    const double half_mm = 0.5 * (low.x() - up.x()) * z_mm * z_mm / markers_mm;
+    const double twist_part =
+        std::clamp(foot->at_mm.x() / middle_mm.x() * markers_mm / face_mm, 0.25, 1.0);
+    const double per_tilt = 1.0 / (std::isfinite(twist_part) ? twist_part : 1.0);
+    if (upper.seen) below[m] = {foot->s_mm - half_mm, per_tilt};
+    if (lower.seen) below[m + pairs] = {foot->s_mm + half_mm, per_tilt};
   }
-  return lengths;
+  return below;
 }
+
+}  // namespace
+
+namespace {
+
+std::optional<SkinPositions::Tip> tip_of(const FaceChart& chart, const FaceShape& shape) {
+  const auto end = shape.tip_end();
+  if (!end) return std::nullopt;
+  const auto last = static_cast<std::size_t>(chart.base_at_low_u ? chart.end() - 1 : chart.first);
+  // The chart's lengths are those of the shape, shifted and stretched: extended from the last
+  // column on.
+  const double beyond_mm = end->length_mm - shape.length_at(static_cast<double>(last));
+  const double along_mm =
+      chart.base_at_low_u ? chart.along_mm.back() + beyond_mm : chart.along_mm.front() - beyond_mm;
+  // Of the columns next to the end.
+  constexpr std::size_t kOver = 4;
+  const std::vector<double>& along = chart.along_mm;
+  const double mm_per_px = (chart.base_at_low_u ? along.back() - along[along.size() - 1 - kOver]
+                                                : along[kOver] - along.front()) /
+                           static_cast<double>(kOver);
+  return SkinPositions::Tip{.along_mm = along_mm,
+                            .column_sd_mm = end->sd_mm,
+                            .shape_sd_mm = shape.columns()[last].z_sd_mm,
+                            .lean_mm = mm_per_px * end->lean_px};
+}
+
+}  // namespace
 
 SkinPositions skin_positions(const FaceChart& rest, const FaceShape& shape,
                              const Markers& markers) {
   SkinPositions positions;
-  positions.marker_mm = marker_lengths_mm(rest, shape, markers);
+  for (const SkinBelow& below : skin_below(rest, shape, markers))
+    positions.marker_mm.push_back(below.s_mm);
   positions.base_u = rest.base_at_low_u ? rest.first : rest.end() - 1;
   positions.base_mm = rest.base_at_low_u ? rest.along_mm.front() : rest.along_mm.back();
+  positions.tip = tip_of(rest, shape);
   return positions;
 }
 
-void register_chart(const SkinPositions& positions, const FaceShape& shape, const Markers& markers,
-                    FaceChart* chart) {
+namespace {
+
+/// Registers a chart to the positions of the skin.
+class ChartFit {
+ public:
+  ChartFit(const SkinPositions& positions, const FaceShape& shape, const Markers& markers,
+           FaceChart& chart)
+      : positions_(positions),
+        shape_(shape),
+        chart_(chart),
+        below_(skin_below(chart, shape, markers)),
+        now_(positions.tip ? tip_of(chart, shape) : std::nullopt) {}
+
+  void operator()() {
+    add_markers();
+    add_base();
+    const Eigen::Vector4d terms = solve();
+    if (!terms.allFinite()) return;
+    for (double& s_mm : chart_.along_mm) s_mm += shift_mm(terms, s_mm);
+    if (now_) now_->along_mm += shift_mm(terms, now_->along_mm);
+    chart_.middle_mm += terms[0];
+    chart_.half_mm += terms[1];
+    chart_.tilt_mm = terms[2];
+    chart_.tilt_slope_mm = terms[3];
+    const bool has_end = now_ && is_end_shown();
+    find_sd(has_end);
+    if (has_end) fit_tip();
+  }
+
+ private:
+  /// One observation: by * (shift, stretch, tilt, its slope) = off.
   struct Row {
     Eigen::Vector4d by;
     double off, sd;
   };
-  std::vector<Row> rows;
-  const std::vector<double> lengths = marker_lengths_mm(*chart, shape, markers);
-  for (std::size_t m = 0; m < std::min(lengths.size(), positions.marker_mm.size()); ++m) {
-    if (!std::isfinite(lengths[m]) || !std::isfinite(positions.marker_mm[m])) continue;
-    const double along = (lengths[m] - chart->middle_mm) / chart->half_mm;
-    const double side = m < lengths.size() / 2 ? -1.0 : 1.0;
-    rows.push_back(
-        {{1.0, along, side, along * side}, positions.marker_mm[m] - lengths[m], kMarkerSdMm});
+
+  [[nodiscard]] double scaled(double s_mm) const {
+    return (s_mm - chart_.middle_mm) / chart_.half_mm;
   }
-  // Clamped: the base may lie a column outside of what this frame shows of it.
-  const int base = std::clamp(positions.base_u, chart->first, chart->end() - 1);
-  const double base_mm = chart->along_mm[static_cast<std::size_t>(base - chart->first)];
-  rows.push_back({{1.0, (base_mm - chart->middle_mm) / chart->half_mm, 0.0, 0.0},
-                  positions.base_mm - base_mm,
-                  kBaseSdMm});
-  Eigen::Vector4d terms = Eigen::Vector4d::Zero();
-  for (int round = 0; round < kRounds; ++round) {
-    Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
-    Eigen::Vector4d pull = Eigen::Vector4d::Zero();
-    const double stretch_sd_mm = kStretchSd * chart->half_mm;
-    normal.diagonal() << 0.0, 1.0 / (stretch_sd_mm * stretch_sd_mm), 1.0 / (kTiltSdMm * kTiltSdMm),
-        1.0 / (kTiltSdMm * kTiltSdMm);
-    for (const Row& row : rows) {
-      const double z = round == 0 ? 0.0 : std::abs(row.off - row.by.dot(terms)) / row.sd;
-      const double weight = (z > kHuber ? kHuber / z : 1.0) / (row.sd * row.sd);
-      normal += weight * row.by * row.by.transpose();
-      pull += weight * row.off * row.by;
+  [[nodiscard]] double shift_mm(const Eigen::Vector4d& terms, double s_mm) const {
+    return terms[0] + terms[1] * scaled(s_mm);
+  }
+
+  void add_markers() {
+    for (std::size_t m = 0; m < std::min(below_.size(), positions_.marker_mm.size()); ++m) {
+      if (!std::isfinite(below_[m].s_mm) || !std::isfinite(positions_.marker_mm[m])) continue;
+      const double along = scaled(below_[m].s_mm);
+      const double side = (m < below_.size() / 2 ? -1.0 : 1.0) * below_[m].per_tilt;
+      rows_.push_back({{1.0, along, side, along * side},
+                       positions_.marker_mm[m] - below_[m].s_mm,
+                       kMarkerSdMm});
     }
-    terms = normal.ldlt().solve(pull);
   }
-  if (!terms.allFinite()) return;
-  for (double& s_mm : chart->along_mm)
-    s_mm += terms[0] + terms[1] * (s_mm - chart->middle_mm) / chart->half_mm;
-  chart->middle_mm += terms[0];
-  chart->half_mm += terms[1];
-  chart->tilt_mm = terms[2];
-  chart->tilt_slope_mm = terms[3];
+  void add_base() {
+    // Clamped: the base may lie a column outside of what this frame shows of it.
+    const int base = std::clamp(positions_.base_u, chart_.first, chart_.end() - 1);
+    const double base_mm = chart_.along_mm[static_cast<std::size_t>(base - chart_.first)];
+    rows_.push_back({{1.0, scaled(base_mm), 0.0, 0.0}, positions_.base_mm - base_mm, kBaseSdMm});
+  }
+  [[nodiscard]] Eigen::Vector4d solve() const {
+    Eigen::Vector4d terms = Eigen::Vector4d::Zero();
+    for (int round = 0; round < kRounds; ++round) {
+      Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
+      Eigen::Vector4d pull = Eigen::Vector4d::Zero();
+      const double stretch_sd_mm = kStretchSd * chart_.half_mm;
+      normal.diagonal() << 0.0, 1.0 / (stretch_sd_mm * stretch_sd_mm),
+          1.0 / (kTiltSdMm * kTiltSdMm), 1.0 / (kTiltSdMm * kTiltSdMm);
+      for (const Row& row : rows_) {
+        const double z = round == 0 ? 0.0 : std::abs(row.off - row.by.dot(terms)) / row.sd;
+        const double weight = (z > kHuber ? kHuber / z : 1.0) / (row.sd * row.sd);
+        normal += weight * row.by * row.by.transpose();
+        pull += weight * row.off * row.by;
+      }
+      terms = normal.ldlt().solve(pull);
+    }
+    return terms;
+  }
+
+  static double square(double value) { return value * value; }
+
+  /// An object over the end makes the face seem shorter.
+  [[nodiscard]] bool is_end_shown() const {
+    return to_tip() * (positions_.tip->along_mm - now_->along_mm) <
+               positions_.tip->max_missing_mm &&
+           to_tip() * (now_->along_mm - last_marker_mm()) > 0;
+  }
+
+  /// Length of the outermost seen marker; of the base where there is none.
+  [[nodiscard]] double last_marker_mm() const {
+    double last_mm = positions_.base_mm;
+    for (std::size_t m = 0; m < std::min(below_.size(), positions_.marker_mm.size()); ++m)
+      if (std::isfinite(below_[m].s_mm) && to_tip() * (positions_.marker_mm[m] - last_mm) > 0)
+        last_mm = positions_.marker_mm[m];
+    return last_mm;
+  }
+  [[nodiscard]] double to_tip() const { return chart_.base_at_low_u ? 1.0 : -1.0; }
+
+  /// A length moves with the face's z: beyond the marker by its error there less that at the
+  /// marker. The tip end fixes the lengths near it.
+  void find_sd(bool has_end) {
+    const double from_mm = last_marker_mm();
+    const auto& columns = shape_.columns();
+    double from_sd_mm = std::numeric_limits<double>::infinity();  // of z next to the marker
+    for (std::size_t i = 0; i < chart_.along_mm.size(); ++i)
+      if (to_tip() * (chart_.along_mm[i] - from_mm) > 0)
+        from_sd_mm = std::min(from_sd_mm, z_sd_mm(columns, i));
+    // Of the outer parts of both end lines: twice that of their middles.
+    const double end_sd_mm =
+        has_end ? 2.0 * std::hypot(now_->column_sd_mm, positions_.tip->column_sd_mm) : 0.0;
+    chart_.along_sd_mm.assign(chart_.along_mm.size(), 0.0);
+    for (std::size_t i = 0; i < chart_.along_mm.size(); ++i) {
+      const double beyond_mm = to_tip() * (chart_.along_mm[i] - from_mm);
+      if (!(beyond_mm > 0)) continue;
+      const double sd_mm =
+          std::sqrt(std::max(0.0, square(z_sd_mm(columns, i)) - square(from_sd_mm)));
+      const double part =
+          has_end ? std::clamp(beyond_mm / (to_tip() * (now_->along_mm - from_mm)), 0.0, 1.0) : 0.0;
+      chart_.along_sd_mm[i] = std::hypot(sd_mm * (1.0 - part * part), part * end_sd_mm);
+    }
+  }
+  [[nodiscard]] double z_sd_mm(const std::vector<FaceColumn>& columns, std::size_t i) const {
+    return columns[static_cast<std::size_t>(chart_.first) + i].z_sd_mm;
+  }
+
+  /// The end line is the same skin in both frames, along the finger and in its lean.
+  void fit_tip() {
+    chart_.tail_from_mm = last_marker_mm();
+    chart_.tail_over_mm = now_->along_mm - chart_.tail_from_mm;
+    const double over_mm = std::abs(chart_.tail_over_mm);
+    const auto limited = [&](double off_mm, double most) {
+      return std::clamp(off_mm, -most * over_mm, most * over_mm);
+    };
+    constexpr double kMostStretch = 0.4, kMostTilt = 0.5;  // of the tail: lengths must ascend
+    chart_.end_tilt_mm = limited(
+        positions_.tip->lean_mm - now_->lean_mm - chart_.tilt_at(now_->along_mm), kMostTilt);
+    const double variance_mm2 = square(now_->shape_sd_mm) + square(positions_.tip->shape_sd_mm);
+    const double column_mm2 = square(now_->column_sd_mm) + square(positions_.tip->column_sd_mm);
+    const double off_mm = positions_.tip->along_mm - now_->along_mm;
+    chart_.tip_stretch_mm =
+        limited(off_mm * variance_mm2 / (variance_mm2 + column_mm2), kMostStretch);
+    for (double& s_mm : chart_.along_mm)
+      s_mm += chart_.tip_stretch_mm * square(chart_.tail_at(s_mm));
+  }
+
+  const SkinPositions& positions_;
+  const FaceShape& shape_;
+  FaceChart& chart_;
+  std::vector<SkinBelow> below_;  // by marker
+  std::optional<SkinPositions::Tip> now_;
+  std::vector<Row> rows_;
+};
+
+}  // namespace
+
+void register_chart(const SkinPositions& positions, const FaceShape& shape, const Markers& markers,
+                    FaceChart* chart) {
+  ChartFit(positions, shape, markers, *chart)();
+}
+
+std::vector<float> registration_sd_px(const FaceChart& chart, int width_px) {
+  std::vector<float> sd_px(static_cast<std::size_t>(width_px), 0.0F);
+  const std::size_t size = std::min(chart.along_mm.size(), chart.along_sd_mm.size());
+  for (std::size_t i = 0; i + 1 < size; ++i) {
+    const double mm_per_px = chart.along_mm[i + 1] - chart.along_mm[i];
+    const std::ptrdiff_t u = chart.first + static_cast<std::ptrdiff_t>(i);
+    if (u < 0 || u + 1 >= width_px) continue;
+    const auto sd = static_cast<float>(chart.along_sd_mm[i] / std::max(1e-6, mm_per_px));
+    sd_px[static_cast<std::size_t>(u)] = sd;
+    sd_px[static_cast<std::size_t>(u) + 1] = sd;
+  }
+  return sd_px;
 }
 
 FaceChart widened(const FaceChart& chart, double part) {
@@ -337,13 +521,21 @@ constexpr double kFurthest = 0.4;  // of the face's length, by which it is exten
 
 bool is_end(int u, int width_px) { return u >= kBorder && u < width_px - kBorder; }
 
+// Lengths at both ends of a chart, as the markers give them.
+double first_mm(const FaceChart& chart) {
+  return chart.along_mm.front() - (chart.base_at_low_u ? 0.0 : chart.tip_stretch_mm);
+}
+double last_mm(const FaceChart& chart) {
+  return chart.along_mm.back() - (chart.base_at_low_u ? chart.tip_stretch_mm : 0.0);
+}
+
 }  // namespace
 
 EndLengths::EndLengths(const std::vector<FaceChart>& charts, int width_px) {
   std::vector<double> first, last;
   for (const FaceChart& chart : charts) {
-    if (is_end(chart.first, width_px)) first.push_back(chart.along_mm.front());
-    if (is_end(chart.end() - 1, width_px)) last.push_back(chart.along_mm.back());
+    if (is_end(chart.first, width_px)) first.push_back(first_mm(chart));
+    if (is_end(chart.end() - 1, width_px)) last.push_back(last_mm(chart));
   }
   first_ = end_of(std::move(first), charts.size());
   last_ = end_of(std::move(last), charts.size());
@@ -359,11 +551,18 @@ std::optional<EndLengths::End> EndLengths::end_of(std::vector<double> lengths_mm
   return End{middle, std::max(kMinMm, kScatters * sd)};
 }
 
+double EndLengths::tip_tolerance_mm(bool base_at_low_u) const {
+  const std::optional<End>& tip = base_at_low_u ? last_ : first_;
+  constexpr double kSds = 3.0;
+  return tip ? std::max(kMinMm, kSds / kScatters * tip->tolerance_mm)
+             : std::numeric_limits<double>::infinity();
+}
+
 std::vector<HiddenColumn> EndLengths::hidden_columns(const FaceChart& now, int width_px) const {
   const bool before =
-      first_ && now.first > kBorder && now.along_mm.front() > first_->mm + first_->tolerance_mm;
-  const bool after = last_ && now.end() < width_px - kBorder &&
-                     now.along_mm.back() < last_->mm - last_->tolerance_mm;
+      first_ && now.first > kBorder && first_mm(now) > first_->mm + first_->tolerance_mm;
+  const bool after =
+      last_ && now.end() < width_px - kBorder && last_mm(now) < last_->mm - last_->tolerance_mm;
   std::vector<HiddenColumn> columns;
   if (!before && !after) return columns;
   const FaceChart extended = widened(now, kFurthest);

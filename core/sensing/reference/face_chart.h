@@ -5,6 +5,7 @@
 #include "core/sensing/face/face_shape.h"
 #include "core/sensing/markers/markers.h"
 
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -17,41 +18,63 @@ namespace alltact {
 /// at the upper and 1 at the lower edge. On the middle of the face the length is that of the shape,
 /// shifted and stretched to fit the markers. The rows of markers also show how lines across the
 /// finger tilt in the image when it twists:
-///   along(u, t) = s(u) + (2 t - 1) (k0 + k1 m(s)),   m(s) = (s - middle) / half.
+///   along(u, t) = s(u) + (2 t - 1) (k0 + k1 m(s) + k2 n(s)^2),   m(s) = (s - middle) / half,
+/// n(s) from 0 at the last marker to 1 at the tip end.
 struct FaceChart {
   int first = 0;                         ///< column of the first entries below
   std::vector<double> along_mm;          ///< s by column, increasing with u (see base_at_low_u)
   std::vector<double> upper_v, lower_v;  ///< edges, px
+  /// Standard deviations of s that the last marker and the tip end leave; empty: not registered.
+  std::vector<double> along_sd_mm;
   double tilt_mm = 0, tilt_slope_mm = 0, middle_mm = 0, half_mm = 1;  ///< k0, k1, middle, half
+  double end_tilt_mm = 0;                                             ///< k2
+  double tail_from_mm = 0, tail_over_mm = 1;  ///< n(s) = (s - from) / over, at least 0
+  double tip_stretch_mm = 0;  ///< by which register_chart moved the tip end, part of along_mm
   bool base_at_low_u = true;  ///< false: lengths count from the tip's side, negative
 
   [[nodiscard]] int end() const { return first + static_cast<int>(along_mm.size()); }
   [[nodiscard]] double tilt_at(double s_mm) const {
-    return tilt_mm + tilt_slope_mm * (s_mm - middle_mm) / half_mm;
+    const double tail = tail_at(s_mm);
+    return tilt_mm + tilt_slope_mm * (s_mm - middle_mm) / half_mm + end_tilt_mm * tail * tail;
+  }
+  /// n(s), at least 0.
+  [[nodiscard]] double tail_at(double s_mm) const {
+    const double tail = (s_mm - tail_from_mm) / tail_over_mm;
+    return tail > 0 ? tail : 0;
   }
 };
+
+/// Standard deviation of each column's skin position along the finger, px, of an image of width_px
+/// columns; 0 off the chart.
+[[nodiscard]] std::vector<float> registration_sd_px(const FaceChart& chart, int width_px);
 
 /// The chart of a frame from its own shape alone; nullopt where the face has fewer than 16 columns.
 [[nodiscard]] std::optional<FaceChart> chart_of(const FaceShape& shape);
 
-/// s of the skin below each marker; NaN for markers that are not seen or lie beyond the face's
-/// ends. Markers sit on the side faces, off the view face. The image distance of the two markers of
-/// a pair (numbers m and m + n) gives their distance z. The nearest point of the face's profile is
-/// the skin below.
-[[nodiscard]] std::vector<double> marker_lengths_mm(const FaceChart& chart, const FaceShape& shape,
-                                                    const Markers& markers);
-
 /// Marker positions on the skin in the rest frame, to which charts of other frames are registered.
 struct SkinPositions {
-  std::vector<double> marker_mm;  ///< marker_lengths_mm of the rest frame
-  int base_u = 0;                 ///< a column at the base, which hardly moves
-  double base_mm = 0;             ///< the length there
+  /// s of the skin below each marker; NaN where it was not seen or lies beyond the face's ends.
+  std::vector<double> marker_mm;
+  int base_u = 0;      ///< a column at the base, which hardly moves
+  double base_mm = 0;  ///< the length there
+  /// The tip end of a face.
+  struct Tip {
+    double along_mm;      ///< length there
+    double column_sd_mm;  ///< its standard deviation by the end's column
+    double shape_sd_mm;   ///< by the shape, which is least certain there
+    /// An end that is missing by more is not used: something hides it.
+    double max_missing_mm = std::numeric_limits<double>::infinity();
+    double lean_mm;  ///< of the end line: length in the end's column at t = 1 less that at 1/2
+  };
+  std::optional<Tip> tip;  ///< no value: the end is not seen
 };
 [[nodiscard]] SkinPositions skin_positions(const FaceChart& rest, const FaceShape& shape,
                                            const Markers& markers);
 
 /// Shifts, stretches and tilts a chart so that the seen markers fit their positions, by robust
 /// least squares with a prior on stretch and tilt around 0. Without markers the base is held fixed.
+/// Beyond the last seen marker, where the shape is least certain, lengths and tilt grow by the
+/// square of the distance from it, until the line of the tip end fits its position.
 void register_chart(const SkinPositions& positions, const FaceShape& shape, const Markers& markers,
                     FaceChart* chart);
 
@@ -135,6 +158,11 @@ class EndLengths {
   /// charts: of recorded frames of width_px columns, registered to each other. An end at the image
   /// border is ignored; an end in fewer than half of the frames is unknown.
   EndLengths(const std::vector<FaceChart>& charts, int width_px);
+
+  /// By how much the tip end of a registered chart may be missing without being hidden: 3 sd of the
+  /// recorded ends before register_chart() moved them, at least 0.5 mm. Infinite where it is
+  /// unknown.
+  [[nodiscard]] double tip_tolerance_mm(bool base_at_low_u) const;
 
   /// Columns after a frame's chart (registered alike) up to where the face must end, within the
   /// image. Empty where the chart ends within 0.5 mm of it, or within 6 sd of the recorded ends,

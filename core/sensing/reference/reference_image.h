@@ -136,6 +136,9 @@ struct Reference {
   double error_factor = 1;  ///< factor of relative_sd in this pose
   /// The same where not all of the nearest frames show the skin, and others replace them.
   double outer_error_factor = 1;
+  /// By column: standard deviation of the skin's position along the finger, px, where this frame's
+  /// shape decides it, beyond the last marker. Empty for a single image.
+  std::vector<float> registration_sd_px;
   std::vector<HiddenColumn> hidden;  ///< columns of the face that the frame does not show
 
   /// Few recorded frames are near this pose.

@@ -281,6 +281,8 @@ ReferenceLibrary::Content::Content(MarkerModel learnt, RecordedFaces&& read,
     modes.row(i) = model->modes(markers_of(layouts, i, all_seen)).cwiseProduct(mode_sd).transpose();
   search.emplace(layouts);
   max_known_px = known_distance_px(*search);
+  if (positions.tip)
+    positions.tip->max_missing_mm = ends.tip_tolerance_mm(grid.chart.base_at_low_u);
 }
 
 void ReferenceLibrary::Content::analyse_faces() {
@@ -437,6 +439,7 @@ Reference ReferenceLibrary::reference_for(const Markers& markers, const FaceShap
   if (is_single) now = content.grid.chart;
   if (!now->along_mm.empty())
     reference.hidden = content.ends.hidden_columns(*now, content.size.width);
+  reference.registration_sd_px = registration_sd_px(*now, content.size.width);
   ChartWarp warp(*now, content.grid.chart);
   std::vector<FaceMix> mixes{{{&content.faces[static_cast<std::size_t>(found.row)]}, {1.0F}}};
   if (method == ReferenceMethod::kLocal) {

@@ -5,6 +5,8 @@
 #include "tests/support/marked_finger.h"
 #include "tests/support/scratch_folder.h"
 
+#include <array>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <random>
@@ -134,6 +136,82 @@ TEST(ReferenceImage, MarksOfTheSkinStayWhereTheyAreWhenTheFingerBends) {
   std::printf("[ figures  ] marks of the skin: at most %.2f px beside their place\n", worst);
   EXPECT_GT(compared, 30);
   EXPECT_LT(worst, 0.6);
+}
+
+/// A shape from noisy edges, and the face's tip end, whose line leans by a slope.
+FaceShape noisy_shape(const test::MarkedFinger& finger, const test::Bend& bend, double sd_px,
+                      double slope, std::mt19937& random) {
+  std::normal_distribution<double> noise(0.0, sd_px);
+  FaceEdges edges = finger.edges(bend);
+  for (Edge* edge : {&edges.upper, &edges.lower})
+    for (std::size_t i = 0; i < edge->v.size(); ++i)
+      edge->v[i] += noise(random), edge->sd[i] = sd_px;
+  const Eigen::Vector2d end = seen_at(finger, bend, {1.0, 0.0});
+  edges.ends.last =
+      FaceEnd{.u_px = end.x(), .v_px = end.y(), .slope = slope, .bow_per_px = 0, .sd_px = 0.05};
+  return FaceShape::fit(edges, Camera::create(finger.camera()).value(), finger.face(), 7).value();
+}
+
+TEST(FaceChart, TheTipEndShowsTheTiltWhereNoMarkerDoes) {
+  std::mt19937 random(12);
+  test::MarkedFinger finger;
+  finger.length_mm = 70;  // its end is in the image
+  const FaceShape rest_shape = noisy_shape(finger, {}, 0.1, 0.0, random);
+  const FaceChart rest = chart_of(rest_shape).value();
+  Markers unseen = markers_of(finger, {});
+  for (Marker& marker : unseen) marker.seen = false;
+  const SkinPositions places = skin_positions(rest, rest_shape, unseen);
+  for (const double slope : {-0.04, 0.02, 0.06}) {
+    const FaceShape shape = noisy_shape(finger, {}, 0.1, slope, random);
+    FaceChart chart = chart_of(shape).value();
+    register_chart(places, shape, unseen, &chart);
+    const std::size_t last = chart.along_mm.size() - 1;
+    const double mm_per_px = (chart.along_mm[last] - chart.along_mm[last - 8]) / 8;
+    const double lean_mm = mm_per_px * slope * 0.5 * (chart.lower_v[last] - chart.upper_v[last]);
+    // Skin of one length lies on the end line: its columns grow with t, so its tilt is negative.
+    EXPECT_NEAR(chart.tilt_at(chart.along_mm[last]), -lean_mm, 0.1 * std::abs(lean_mm)) << slope;
+  }
+}
+
+TEST(FaceChart, TheTipEndFixesTheSkinNextToIt) {
+  std::mt19937 random(11);
+  test::MarkedFinger finger;
+  finger.length_mm = 70;  // its end is in the image
+  finger.upper_shares = finger.lower_shares = {0.06, 0.16, 0.26, 0.36, 0.46, 0.56};
+  const FaceShape rest_shape = noisy_shape(finger, {}, 0.6, 0.0, random);
+  const FaceChart rest = chart_of(rest_shape).value();
+  const SkinPositions with = skin_positions(rest, rest_shape, markers_of(finger, {}));
+  ASSERT_TRUE(with.tip);
+  SkinPositions without = with;
+  without.tip.reset();
+  double square_with = 0, square_without = 0;
+  int compared = 0;
+  for (int trial = 0; trial < 120; ++trial) {
+    const test::Bend bend = test::random_bend(random, 0.5);
+    const Eigen::Vector2d now = seen_at(finger, bend, {0.98, 0.0});
+    const FaceShape shape = noisy_shape(finger, bend, 0.6, 0.0, random);
+    if (!shape.tip_end()) continue;
+    // Where the rest frame shows this skin, by the registered lengths.
+    const auto off_px = [&](const SkinPositions& positions) {
+      FaceChart chart = chart_of(shape).value();
+      register_chart(positions, shape, markers_of(finger, bend), &chart);
+      const ChartWarp warp(chart, rest);
+      const int column = static_cast<int>(now.x());
+      std::array<float, 2> u{}, v{};
+      warp.positions(static_cast<int>(std::lround(now.y())), column, 2, u.data(), v.data());
+      return std::lerp(static_cast<double>(u[0]), static_cast<double>(u[1]), now.x() - column) -
+             seen_at(finger, {}, {0.98, 0.0}).x();
+    };
+    square_with += std::pow(off_px(with), 2);
+    square_without += std::pow(off_px(without), 2);
+    ++compared;
+  }
+  ASSERT_GT(compared, 40);
+  const double rms_with = std::sqrt(square_with / compared),
+               rms_without = std::sqrt(square_without / compared);
+  std::printf("[ figures  ] skin at the tip end: %.2f px rms registered with it, %.2f without\n",
+              rms_with, rms_without);
+  EXPECT_LT(rms_with, 0.6 * rms_without);
 }
 
 TEST(ReferenceImage, IsTheWeightedSumWhereEveryFrameShowsTheSkin) {
