@@ -334,6 +334,8 @@ Status exclude_contacts(RecordedVideo& video, const NumberedRecording& numbered,
   for (std::size_t i = 0; i < numbers.size(); ++i)
     if (is_unsure || !is_suspect(evidence[i]) || is_in(choices.keep, numbers[i]))
       selected.push_back(numbers[i]);
+    else
+      report.uses[numbers[i]] = FrameUse::kInContact;
   return {};
 }
 
@@ -599,7 +601,10 @@ void thin(std::vector<std::size_t>& selected, MadeReference& made) {
     const bool repeats = std::any_of(rows.begin(), rows.end(), [&](Eigen::Index other) {
       return (all.layouts.row(other) - all.layouts.row(row)).norm() < apart;
     });
-    if (repeats && selected.size() - i + spread.size() > kFewFrames) continue;
+    if (repeats && selected.size() - i + spread.size() > kFewFrames) {
+      made.report.uses[selected[i]] = FrameUse::kRepeatsPose;
+      continue;
+    }
     spread.push_back(selected[i]);
     rows.push_back(row);
   }
@@ -643,6 +648,7 @@ Status make_reference(Source& source, const Camera& camera, const Finger& finger
   made.settings = pass->settings;
   ReferenceReport& report = made.report;
   report.frames_read = static_cast<int>(pass->frames.size());
+  report.uses.assign(pass->frames.size(), FrameUse::kUnusable);
   if (pass->frames.size() < 2)
     return Error{
         en::count("the recording holds {} frames; at least 2 are needed",
@@ -663,7 +669,11 @@ Status make_reference(Source& source, const Camera& camera, const Finger& finger
   report_missing(made);
   std::vector<std::size_t> selected = numbered_frames(*pass, made);
   if (selected.size() < 2) return refuse(too_few(report, selected.size()));
-  std::erase_if(selected, [&](std::size_t frame) { return is_in(choices.leave_out, frame); });
+  std::erase_if(selected, [&](std::size_t frame) {
+    const bool is_excluded = is_in(choices.leave_out, frame);
+    if (is_excluded) report.uses[frame] = FrameUse::kExcluded;
+    return is_excluded;
+  });
   if (selected.size() < 2)
     return Error{en::say("only {} frames are left to use", selected.size()), en::say("recording"),
                  en::say("leave out fewer frames")};
@@ -688,6 +698,7 @@ Status make_reference(Source& source, const Camera& camera, const Finger& finger
     if (!rewritten) return rewritten;
   }
   made.table = table_of(made.numbered, selected);
+  for (const std::size_t frame : selected) report.uses[frame] = FrameUse::kRetained;
   report.frames_retained = static_cast<int>(selected.size());
   report.median_step_px = LayoutSearch(made.table.layouts).median_step_px();
   return {};

@@ -10,6 +10,7 @@
 #include "core/image/frame.h"
 #include "core/sources/source.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <vector>
@@ -28,7 +29,17 @@ struct ReferenceStretch {
   Message sentence;          ///< frames, position of the contact, darkening
 };
 
+/// What becomes of a recorded frame.
+enum class FrameUse : std::uint8_t {
+  kUnusable = 1,  ///< no face, too few markers, or unreadable
+  kExcluded,      ///< by ReferenceChoices::leave_out
+  kInContact,     ///< something presses on the contact face, or may do so
+  kRepeatsPose,   ///< others show the same pose
+  kRetained
+};
+
 struct ReferenceReport {
+  std::vector<FrameUse> uses;  ///< by number in the recording
   int frames_read = 0;
   int frames_retained = 0;
   /// "frame 17: only 5 of 12 markers found", "frames 120 to 163: something pressed ...", ...

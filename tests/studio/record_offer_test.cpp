@@ -1,5 +1,6 @@
 // What the place Record offers once a recording is there.
 #include "tests/studio/studio_rig.h"
+#include "widgets/panels/frame_strip.h"
 
 #include <QCheckBox>
 #include <QFileDialog>
@@ -73,6 +74,20 @@ TEST_F(RecordOffer, SaysWhatItWouldBringAndLeavesTheFingerAlone) {
   studio_->click("Install as this finger's reference");
   ASSERT_TRUE(wait_until([&] { return studio_->session().status().finger.has_reference; }, 60000))
       << studio_->problems();
+}
+
+TEST_F(RecordOffer, ShowsWhatBecomesOfEachFrameBeforeItIsInstalled) {
+  open();
+  record(folder_ / "bend.mkv");
+  ASSERT_TRUE(wait_for_words("Expected error"));
+  const auto* strip = studio_->window().findChild<FrameStrip*>();
+  ASSERT_NE(strip, nullptr);
+  EXPECT_TRUE(strip->isVisible());
+  int used = 0;
+  for (int x = 0; x < strip->width(); ++x)
+    used += static_cast<int>(strip->words_at(x).endsWith(QLatin1String("used")));
+  EXPECT_GT(used, strip->width() / 4);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "finger/reference.mkv"));
 }
 
 TEST_F(RecordOffer, AsksWhetherTheSkinIsAnotherOneThanInTheLastReference) {

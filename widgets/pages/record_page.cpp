@@ -82,6 +82,7 @@ RecordPage::RecordPage(LiveSession& session, QWidget* parent)
       install_reason_(wrapped_label()),
       judged_(new ReservedText(kJudgedLines)),
       outcome_(wrapped_label()),
+      strip_(new FrameStrip),
       rejected_(new QListWidget),
       skin_changed_(new QCheckBox),
       rig_box_(new RigCheckBox) {
@@ -130,6 +131,10 @@ void RecordPage::connect_parts() {
     show_status();
   });
   connect(rejected_, &QListWidget::itemChanged, this, &RecordPage::choose_frames);
+  connect(strip_, &FrameStrip::stretch_clicked, this, [this](int index) {
+    rejected_->setCurrentRow(index);
+    rejected_->setFocus();
+  });
   connect(skin_changed_, &QCheckBox::toggled, this, &RecordPage::judge_take);
   connect(&judge_, &TakeJudge::changed, this, &RecordPage::follow_judge);
   connect(&install_work_, &BackgroundWork::progressed, this, &RecordPage::show_installing);
@@ -190,7 +195,7 @@ void RecordPage::make_result_group(QVBoxLayout& column) {
   layout->addLayout(other);
   layout->addWidget(inspect_);
   layout->addLayout(line);
-  add_widgets(*layout, {outcome_, onward_, rejected_});
+  add_widgets(*layout, {outcome_, onward_, strip_, rejected_});
   column.addWidget(result_group_);
   column.addStretch();
 }
@@ -218,7 +223,7 @@ void RecordPage::name_parts() {
   stop_install_->setAccessibleDescription(tr("Stops the installation; nothing is changed."));
   bar_->setAccessibleName(tr("Progress of the installation"));
   rejected_->setAccessibleName(tr("Frames that were left out, with the reason"));
-  rejected_->setToolTip(tr("Tick untouched frames, and install again."));
+  rejected_->setToolTip(tr("Tick frames that are untouched, and install."));
   skin_changed_->setText(tr("The &skin was changed since the last reference"));
   skin_changed_->setToolTip(
       tr("If it was cleaned, painted or replaced, the last reference cannot show what pressed on "
@@ -406,6 +411,10 @@ void RecordPage::follow_judge() {
     if (judge_.judged() && judge_.judged()->report.ok()) install_now();
   }
   if (install_after_judging_) show_installing();
+  if (judge_.judged() && judge_.judged() != listed_.lock() && !report_) {
+    listed_ = judge_.judged();
+    list_rejected();
+  }
   show_status();
 }
 
@@ -423,7 +432,7 @@ ReferenceChoices RecordPage::choices() const {
 void RecordPage::install_now() {
   const auto folder = session_.status().finger.folder;
   const auto video = recorded_;
-  const auto judged = is_choice_made_ ? nullptr : judge_.judged();
+  const auto judged = judge_.judged();
   install_work_.start([this, folder, video, choices = choices(), judged](const Job& job) {
     auto report = std::make_shared<Result<ReferenceReport>>(
         install_take(judged, folder, video, choices, job));
@@ -457,12 +466,20 @@ void RecordPage::show_problem_image() {
   show_dialog(*dialog);
 }
 
+const ReferenceReport* RecordPage::shown_report() const {
+  if (report_) return report_->ok() ? &report_->value() : nullptr;
+  const auto& judged = judge_.judged();
+  return judged && judged->report.ok() ? &judged->report.value() : nullptr;
+}
+
 void RecordPage::list_rejected() {
   const QSignalBlocker no_choice(rejected_);
   rejected_->clear();
-  if (!report_ || !*report_) return;
+  const ReferenceReport* report = shown_report();
+  strip_->show_report(report != nullptr ? *report : ReferenceReport{});
+  if (report == nullptr) return;
   // The report does not name the stretches that were left out by choice.
-  std::vector<ReferenceStretch> stretches = report_->value().stretches;
+  std::vector<ReferenceStretch> stretches = report->stretches;
   for (const ReferenceStretch& former : stretches_) {
     const bool is_named =
         std::any_of(stretches.begin(), stretches.end(), [&](const ReferenceStretch& stretch) {
@@ -478,7 +495,7 @@ void RecordPage::list_rejected() {
     item->setCheckState(stretch.is_retained ? Qt::Checked : Qt::Unchecked);
     listed.insert(stretch.sentence.english());
   }
-  for (const Message& reason : report_->value().rejected)
+  for (const Message& reason : report->rejected)
     if (!listed.contains(reason.english())) rejected_->addItem(in_window_language(reason));
 }
 
@@ -488,6 +505,7 @@ void RecordPage::choose_frames() {
         rejected_->item(static_cast<int>(row))->checkState() == Qt::Checked;
   is_choice_made_ = true;
   installed_.clear();  // the choice differs from what is installed
+  if (!report_) judge_take();
   show_status();
 }
 
@@ -553,6 +571,8 @@ void RecordPage::offer(const std::filesystem::path& video, std::optional<RestPos
   stretches_.clear();
   is_choice_made_ = false;
   deferred_.clear();
+  judge_.forget();
+  list_rejected();
   skin_changed_->setChecked(false);
   judge_take();
 }
@@ -643,7 +663,10 @@ void RecordPage::show_recorded(const LiveStatus& status) {
   show_offer(status);
   outcome_->setText(outcome_text());
   outcome_->setVisible(!outcome_->text().isEmpty());
-  rejected_->setVisible(report_ && report_->ok() && rejected_->count() > 0 && !is_installing());
+  // They stay while a changed choice is judged.
+  const bool has_frames = strip_->has_frames() && !is_installing();
+  strip_->setVisible(has_frames);
+  rejected_->setVisible(has_frames && rejected_->count() > 0);
 }
 
 /// The checklist before the first recording.
@@ -773,7 +796,6 @@ QString RecordPage::outcome_text() const {
     lines << tr("%n frame(s) repeated a pose of other frames.", nullptr, report.repeated);
   if (!session_.status().finger.has_reference)
     lines << tr("The finger is being loaded with its new reference.");
-  if (!report.rejected.empty()) lines << tr("Left out, with the reason:");
   return lines.join(QLatin1Char('\n'));
 }
 

@@ -4,6 +4,7 @@
 #include "calibration/reference/motion_coverage.h"
 #include "calibration/reference/reference_recording.h"
 #include "widgets/background_work.h"
+#include "widgets/panels/frame_strip.h"
 #include "widgets/panels/image_panel.h"
 #include "widgets/panels/recording_checks.h"
 #include "widgets/shell/page.h"
@@ -67,6 +68,8 @@ class RecordPage : public Page {
   void follow_judge();
   [[nodiscard]] bool is_installing() const;
   [[nodiscard]] const BackgroundWork& installing_work() const;
+  /// Of the installation; before it, of the judged recording. nullptr: neither is known.
+  [[nodiscard]] const ReferenceReport* shown_report() const;
   void list_rejected();
   /// Uses the frames with ticked boxes in the next installation.
   void choose_frames();
@@ -106,6 +109,7 @@ class RecordPage : public Page {
   QPushButton *install_, *keep_, *again_, *inspect_, *onward_, *video_, *stop_install_;
   QProgressBar* bar_;
   QLabel *install_reason_, *judged_, *outcome_;
+  FrameStrip* strip_;
   QListWidget* rejected_;
   QCheckBox* skin_changed_;
   RigCheckBox* rig_box_;
@@ -128,6 +132,7 @@ class RecordPage : public Page {
   std::optional<Result<ReferenceReport>> report_;
   std::filesystem::path recorded_, installed_, deferred_;
   std::optional<RestPose> rest_pose_;        // of the recording
+  std::weak_ptr<const JudgedTake> listed_;   // the judged recording whose frames are listed
   std::vector<ReferenceStretch> stretches_;  // listed; ticked where retained
   bool is_choice_made_ = false;              // by the user; else as the program judged
   QImage problem_image_;                     // findings of a failed installation, as an image

@@ -187,6 +187,10 @@ TEST(CleanReference, StretchesAreNamedAndChoicesHonoured) {
   ASSERT_TRUE(chosen.ok()) << chosen.error().sentence();
   EXPECT_TRUE(chosen->stretches.front().is_retained);
   EXPECT_FALSE(is_left_out(*chosen, 10));
+  for (std::size_t i = 100; i < 120; ++i)
+    EXPECT_THAT(chosen->uses[i],
+                ::testing::AnyOf(FrameUse::kExcluded, FrameUse::kUnusable))  // without a face
+        << i;
   // Some of the frames that are left out show no face, and are left out in both.
   EXPECT_NEAR(chosen->frames_retained + chosen->repeated,
               report->frames_retained + report->repeated + (stretch.last - stretch.first + 1) - 20,

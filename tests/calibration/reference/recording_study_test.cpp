@@ -71,6 +71,14 @@ TEST(RecordingStudy, FramesWithSomethingOnTheFaceAreLeftOutAndNoOthers) {
     EXPECT_TRUE(touched.contains(i) || touched.contains(i - 1) || touched.contains(i + 1)) << i;
   EXPECT_LE(found.size(), touched.size() + 2);
   EXPECT_EQ(report->frames_retained + report->repeated + static_cast<int>(found.size()), kFrames);
+  const auto count = [&](FrameUse use) {
+    return static_cast<int>(std::count(report->uses.begin(), report->uses.end(), use));
+  };
+  EXPECT_EQ(std::ssize(report->uses), kFrames);
+  EXPECT_EQ(count(FrameUse::kRetained), report->frames_retained);
+  EXPECT_EQ(count(FrameUse::kRepeatsPose), report->repeated);
+  for (const int i : found)
+    EXPECT_EQ(report->uses[static_cast<std::size_t>(i)], FrameUse::kInContact) << i;
   // The light falls off smoothly and the poses lie close: the rest is told to a thousandth.
   EXPECT_LT(report->error_median, 0.003);
   // Less noise, both may be nothing at all.
