@@ -386,6 +386,57 @@
     </message>
 </context>
 <context>
+    <name>alltact::BrightnessBox</name>
+    <message>
+        <source>Width of the edges of the face in the image: the smaller, the sharper. A sharp image has about 2 to 4 px. Turn the lens until both ends are sharp. Best: the least of the last 30 seconds.</source>
+        <translation>Breite der Kanten der Kontaktfläche im Bild: je kleiner, desto schärfer. Ein scharfes Bild hat etwa 2 bis 4 px. Am Objektiv drehen, bis beide Enden scharf sind. Bestens: der kleinste Wert der letzten 30 Sekunden.</translation>
+    </message>
+    <message>
+        <source>Focus at the base: %1</source>
+        <translation>Schärfe am Fuß: %1</translation>
+    </message>
+    <message>
+        <source>Focus at the tip: %1</source>
+        <translation>Schärfe an der Spitze: %1</translation>
+    </message>
+    <message>
+        <source>%1 px (best: %2 px)</source>
+        <translation>%1 px (bestens: %2 px)</translation>
+    </message>
+    <message>
+        <source>no edges in view</source>
+        <translation>keine Kanten im Bild</translation>
+    </message>
+    <message>
+        <source>Pixels by grey level</source>
+        <translation>Pixel nach Grauwert</translation>
+    </message>
+    <message>
+        <source>Pixels by grey level, dark at the left. Bars in another colour at the ends are too dark or too bright to measure.</source>
+        <translation>Pixel nach Grauwert, dunkle links. Andersfarbige Balken an den Enden sind zum Messen zu dunkel oder zu hell.</translation>
+    </message>
+    <message>
+        <source>No image yet.</source>
+        <translation>Noch kein Bild.</translation>
+    </message>
+    <message>
+        <source>&lt; %1 %</source>
+        <translation>&lt; %1 %</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Face: %1 too bright, %2 too dark</source>
+        <translation>Fläche: %1 zu hell, %2 zu dunkel</translation>
+    </message>
+    <message>
+        <source>Image: %1 too bright, %2 too dark</source>
+        <translation>Bild: %1 zu hell, %2 zu dunkel</translation>
+    </message>
+</context>
+<context>
     <name>alltact::CalibratePage</name>
     <message>
         <source>&amp;Next: %1</source>
@@ -1545,6 +1596,45 @@
     <message>
         <source>Force (N)</source>
         <translation>Kraft (N)</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::FrameStrip</name>
+    <message>
+        <source>Frames of the recording</source>
+        <translation>Bilder der Aufnahme</translation>
+    </message>
+    <message>
+        <source>used</source>
+        <translation>verwendet</translation>
+    </message>
+    <message>
+        <source>same pose as others</source>
+        <translation>gleiche Haltung wie andere</translation>
+    </message>
+    <message>
+        <source>something pressed</source>
+        <translation>etwas drückte</translation>
+    </message>
+    <message>
+        <source>left out by you</source>
+        <translation>von Ihnen weggelassen</translation>
+    </message>
+    <message>
+        <source>no face or markers</source>
+        <translation>ohne Fläche oder Marker</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Frame %1: %2</source>
+        <translation>Bild %1: %2</translation>
+    </message>
+    <message>
+        <source>Frame %1, the rest pose: %2</source>
+        <translation>Bild %1, die Ruhelage: %2</translation>
     </message>
 </context>
 <context>
@@ -2897,6 +2987,14 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
 </context>
 <context>
     <name>alltact::LivePage</name>
+    <message>
+        <source>Shar&amp;p edges</source>
+        <translation>Scharfe K&amp;onturen</translation>
+    </message>
+    <message>
+        <source>Yellow where the image is sharp: turn the lens until most of the face's edges and of the markers are yellow.</source>
+        <translation>Gelb, wo das Bild scharf ist: am Objektiv drehen, bis die meisten Kanten der Fläche und Marker gelb sind.</translation>
+    </message>
     <message>
         <source>show %1</source>
         <translation>%1 einblenden</translation>
@@ -4798,6 +4896,10 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
 <context>
     <name>alltact::RecordPage</name>
     <message>
+        <source>Tick frames that are untouched, and install.</source>
+        <translation>Unberührte Bilder ankreuzen und einrichten.</translation>
+    </message>
+    <message>
         <source>Inspect t&amp;his recording</source>
         <translation>Diese Aufnahme aus&amp;werten</translation>
     </message>
@@ -4840,10 +4942,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>Frames that were left out, with the reason</source>
         <translation>Weggelassene Bilder mit Grund</translation>
-    </message>
-    <message>
-        <source>Tick untouched frames, and install again.</source>
-        <translation>Unberührte Bilder ankreuzen und neu einrichten.</translation>
     </message>
     <message>
         <source>If it was cleaned, painted or replaced, the last reference cannot show what pressed on it.</source>
@@ -4990,10 +5088,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
             <numerusform>Eingerichtet: %1 von %n Bild ist in der Referenz.</numerusform>
             <numerusform>Eingerichtet: %1 von %n Bildern sind in der Referenz.</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Left out, with the reason:</source>
-        <translation>Weggelassen, mit Grund:</translation>
     </message>
     <message numerus="yes">
         <source>%n frame(s) of this recording are lost.</source>

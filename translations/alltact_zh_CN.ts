@@ -384,6 +384,57 @@
     </message>
 </context>
 <context>
+    <name>alltact::BrightnessBox</name>
+    <message>
+        <source>Width of the edges of the face in the image: the smaller, the sharper. A sharp image has about 2 to 4 px. Turn the lens until both ends are sharp. Best: the least of the last 30 seconds.</source>
+        <translation>接触面边缘在图像中的宽度：越小越清晰。清晰的图像约为 2 至 4 px。转动镜头，直到两端都清晰。最佳：最近 30 秒内的最小值。</translation>
+    </message>
+    <message>
+        <source>Focus at the base: %1</source>
+        <translation>根部对焦：%1</translation>
+    </message>
+    <message>
+        <source>Focus at the tip: %1</source>
+        <translation>指尖对焦：%1</translation>
+    </message>
+    <message>
+        <source>%1 px (best: %2 px)</source>
+        <translation>%1 px（最佳：%2 px）</translation>
+    </message>
+    <message>
+        <source>no edges in view</source>
+        <translation>图像中没有边缘</translation>
+    </message>
+    <message>
+        <source>Pixels by grey level</source>
+        <translation>按灰度值统计的像素</translation>
+    </message>
+    <message>
+        <source>Pixels by grey level, dark at the left. Bars in another colour at the ends are too dark or too bright to measure.</source>
+        <translation>按灰度值统计的像素，左侧为暗。两端以其他颜色显示的部分过暗或过亮，无法测量。</translation>
+    </message>
+    <message>
+        <source>No image yet.</source>
+        <translation>还没有图像。</translation>
+    </message>
+    <message>
+        <source>&lt; %1 %</source>
+        <translation>&lt; %1 %</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Face: %1 too bright, %2 too dark</source>
+        <translation>接触面：%1 过亮，%2 过暗</translation>
+    </message>
+    <message>
+        <source>Image: %1 too bright, %2 too dark</source>
+        <translation>图像：%1 过亮，%2 过暗</translation>
+    </message>
+</context>
+<context>
     <name>alltact::CalibratePage</name>
     <message>
         <source>&amp;Next: %1</source>
@@ -1533,6 +1584,45 @@
     <message>
         <source>Force (N)</source>
         <translation>力 (N)</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::FrameStrip</name>
+    <message>
+        <source>Frames of the recording</source>
+        <translation>录像的帧</translation>
+    </message>
+    <message>
+        <source>used</source>
+        <translation>使用</translation>
+    </message>
+    <message>
+        <source>same pose as others</source>
+        <translation>姿态与其他帧相同</translation>
+    </message>
+    <message>
+        <source>something pressed</source>
+        <translation>有物体按压</translation>
+    </message>
+    <message>
+        <source>left out by you</source>
+        <translation>由您舍弃</translation>
+    </message>
+    <message>
+        <source>no face or markers</source>
+        <translation>没有接触面或标记点</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>Frame %1: %2</source>
+        <translation>第 %1 帧：%2</translation>
+    </message>
+    <message>
+        <source>Frame %1, the rest pose: %2</source>
+        <translation>第 %1 帧，静止姿态：%2</translation>
     </message>
 </context>
 <context>
@@ -2879,6 +2969,14 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
 </context>
 <context>
     <name>alltact::LivePage</name>
+    <message>
+        <source>Shar&amp;p edges</source>
+        <translation>清晰边缘(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Yellow where the image is sharp: turn the lens until most of the face's edges and of the markers are yellow.</source>
+        <translation>图像清晰处显示为黄色：转动镜头，直到接触面边缘和标记点大部分变黄。</translation>
+    </message>
     <message>
         <source>show %1</source>
         <translation>显示%1</translation>
@@ -4767,6 +4865,10 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
 <context>
     <name>alltact::RecordPage</name>
     <message>
+        <source>Tick frames that are untouched, and install.</source>
+        <translation>勾选未触碰的帧，然后设为参考。</translation>
+    </message>
+    <message>
         <source>Inspect t&amp;his recording</source>
         <translation>检视此录像(&amp;H)</translation>
     </message>
@@ -4809,10 +4911,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>Frames that were left out, with the reason</source>
         <translation>被舍弃的帧及原因</translation>
-    </message>
-    <message>
-        <source>Tick untouched frames, and install again.</source>
-        <translation>勾选实际未触碰的帧，然后重新设为参考。</translation>
     </message>
     <message>
         <source>If it was cleaned, painted or replaced, the last reference cannot show what pressed on it.</source>
@@ -4953,10 +5051,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>
             <numerusform>已设为参考：%n 帧中采用了 %1 帧。</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Left out, with the reason:</source>
-        <translation>被舍弃的帧及原因：</translation>
     </message>
     <message numerus="yes">
         <source>%n frame(s) of this recording are lost.</source>

@@ -44,6 +44,7 @@ ViewOptions view_of(const Json& json) {
   view.direction = value_or(json, "direction", view.direction);
   view.depth = value_or(json, "depth", view.depth);
   view.faults = value_or(json, "faults", view.faults);
+  view.focus = value_or(json, "focus", view.focus);
   const double top_mm = value_or(json, "depth_top_mm", view.depth_top_mm);
   if (top_mm >= 0.1 && top_mm <= 10) view.depth_top_mm = top_mm;
   return view;
@@ -205,9 +206,13 @@ std::string session_to_json(const SessionState& state) {
   json["finger"] = state.finger.string();
   json["source"] = texts_of(state.source);
   json["place"] = state.page;
-  json["view"] = {{"edges", state.view.edges},         {"markers", state.view.markers},
-                  {"direction", state.view.direction}, {"depth", state.view.depth},
-                  {"faults", state.view.faults},       {"depth_top_mm", state.view.depth_top_mm}};
+  json["view"] = {{"edges", state.view.edges},
+                  {"markers", state.view.markers},
+                  {"direction", state.view.direction},
+                  {"depth", state.view.depth},
+                  {"faults", state.view.faults},
+                  {"focus", state.view.focus},
+                  {"depth_top_mm", state.view.depth_top_mm}};
   json["inspect"] = inspect_to_json(state.inspect);
   json["locked"] = state.is_locked;
   json["controls"] = Json::object();

@@ -171,6 +171,7 @@ void LiveFinger::measure(const std::stop_token& stop) {
       if (layers.depth && result.depth)
         view->depth_layer = depth_layer(*result.depth, view->depth_top_mm);
       if (layers.faults) view->faults_layer = faults_layer(result.grey, result);
+      if (layers.focus) view->focus_layer = focus_layer(result.grey, result);
     });
     if (!drawn) view->problem = drawn.error();
     {
@@ -312,6 +313,18 @@ cv::Mat faults_layer(const cv::Mat& grey, const FrameResult& result) {
       if (flag[u] == kTooDark && (u + v) % kStripe_px < kStripe_px / 2) pixel[u] = dark;
     }
   }
+  return layer;
+}
+
+cv::Mat focus_layer(const cv::Mat& grey, const FrameResult& result) {
+  // The Laplacian of independent noise has the root of 20 times its standard deviation.
+  constexpr double kMinBend = 16, kNoiseSds = 5, kNoiseGain = 4.47;
+  const double noise_sd = result.edges ? result.edges->noise_sd : 1.0;
+  cv::Mat bend;
+  cv::Laplacian(grey, bend, CV_16S, 1, 1, 0, cv::BORDER_REPLICATE);
+  cv::Mat layer = cv::Mat::zeros(grey.size(), CV_8UC4);
+  layer.setTo(cv::Scalar(40, 230, 250, 255),
+              cv::abs(bend) > std::max(kMinBend, kNoiseSds * kNoiseGain * noise_sd));
   return layer;
 }
 

@@ -30,10 +30,15 @@ struct PartLayer {
 /// `grey`: CV_8UC1, the result's.
 [[nodiscard]] cv::Mat faults_layer(const cv::Mat& grey, const FrameResult& result);
 
+/// Yellow where brightness bends sharply from pixel to pixel, beyond its noise: a sharp image shows
+/// the most. Size and `grey` as above.
+[[nodiscard]] cv::Mat focus_layer(const cv::Mat& grey, const FrameResult& result);
+
 /// Overlays that are too expensive for the painting thread.
 struct RequestedLayers {
   bool depth = false;
   bool faults = false;
+  bool focus = false;
 };
 
 /// A frame for display. Layers are CV_8UC4, premultiplied blue, green, red, alpha, the oriented
@@ -43,7 +48,7 @@ struct LiveView {
   FrameResult result;
   std::optional<Error> problem;  ///< why it could not be measured
   std::optional<PartLayer> depth_layer;
-  cv::Mat faults_layer;
+  cv::Mat faults_layer, focus_layer;
   double depth_top_mm = 0;   ///< end of the depth layer's scale
   std::uint64_t opened = 0;  ///< of the finger that measured it, FingerStatus::opened
 };

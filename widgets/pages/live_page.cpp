@@ -39,11 +39,13 @@ LivePage::LivePage(LiveSession& session, QUndoStack& undo, QWidget* parent)
                 {new QCheckBox, &ViewOptions::markers},
                 {new QCheckBox, &ViewOptions::direction},
                 {new QCheckBox, &ViewOptions::depth},
-                {new QCheckBox, &ViewOptions::faults}}},
+                {new QCheckBox, &ViewOptions::faults},
+                {new QCheckBox, &ViewOptions::focus}}},
       top_label_(new QLabel),
       top_(new NumberField),
       contact_(new ContactBox),
       times_(new QLabel),
+      brightness_(new BrightnessBox),
       controls_(new ControlPanel),
       force_(new ForceBox([this] { return shown_force(); })),
       pair_box_(new LivePairBox(pair_, session)) {
@@ -106,14 +108,17 @@ void LivePage::connect_choices() {
 
 void LivePage::name_parts() {
   overlay_group_->setTitle(tr("Image overlays"));
-  const std::array<QString, 5> names{tr("Edges &of the face"), tr("&Markers with numbers"),
-                                     tr("Direction of &contact"), tr("&Depth in colours"),
-                                     tr("&Too dark or too bright")};
+  const std::array<QString, 6> names{tr("Edges &of the face"),      tr("&Markers with numbers"),
+                                     tr("Direction of &contact"),   tr("&Depth in colours"),
+                                     tr("&Too dark or too bright"), tr("Shar&p edges")};
   for (std::size_t i = 0; i < names.size(); ++i) choices_[i].box->setText(names[i]);
   choices_[1].box->setToolTip(tr("Ring: visible marker. Dashed diamond: estimated position."));
   choices_[4].box->setToolTip(
       tr("Stripes falling to the right: too bright to measure. "
          "Stripes falling to the left: too dark."));
+  choices_[5].box->setToolTip(
+      tr("Yellow where the image is sharp: turn the lens until most of the face's edges and of the "
+         "markers are yellow."));
   top_label_->setText(tr("Colours e&nd at"));
   top_->setSuffix(tr(" mm"));
   top_->setAccessibleName(tr("Depth at which the colours end"));
@@ -138,7 +143,8 @@ QWidget* LivePage::make_side() {
   top->addStretch();
   over->insertLayout(4, top);
   add_widgets(*side.column, {overlay_group_, pair_box_, contact_, force_});
-  (new QVBoxLayout(camera_))->addWidget(controls_);
+  auto* camera = new QVBoxLayout(camera_);
+  add_widgets(*camera, {brightness_, controls_});
   side.column->addWidget(camera_);
   (new QVBoxLayout(lamp_group_))->addWidget(new LampPanel(lamp_));
   side.column->addWidget(lamp_group_);
@@ -194,6 +200,7 @@ void LivePage::show_status() {
   const LiveStatus& status = session_.status();
   controls_->set_controls(status.controller.controls, status.controller.is_locked);
   const auto& view = session_.view();
+  brightness_->show_image(view && isVisible() ? &view->result : nullptr);
   contact_->show_contact(view ? &view->result : nullptr, session_.touch_history());
   force_->schedule_update();
   show_times();
@@ -454,7 +461,7 @@ void LivePage::set_second(const std::optional<SecondCamera>& second) {
 }
 
 void LivePage::set_layers(LiveSession& session) const {
-  session.set_layers({options_.depth, options_.faults});
+  session.set_layers({options_.depth, options_.faults, options_.focus});
   session.set_depth_top_mm(options_.depth_top_mm);
 }
 

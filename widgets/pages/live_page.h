@@ -6,6 +6,7 @@
 #include "widgets/controls/control_panel.h"
 #include "widgets/controls/number_field.h"
 #include "widgets/live/live_pair.h"
+#include "widgets/panels/brightness_box.h"
 #include "widgets/panels/force_box.h"
 #include "widgets/panels/image_panel.h"
 #include "widgets/shell/finger_card.h"
@@ -138,11 +139,12 @@ class LivePage : public Page {
   QHBoxLayout* panels_;
   Lamp lamp_;
   QGroupBox *overlay_group_, *camera_, *lamp_group_, *times_group_;
-  std::array<Choice, 5> choices_;
+  std::array<Choice, 6> choices_;
   QLabel* top_label_;
   NumberField* top_;
   ContactBox* contact_;
   QLabel* times_;
+  BrightnessBox* brightness_;
   ControlPanel* controls_;
   ForceBox* force_;
   LivePairBox* pair_box_;

@@ -266,6 +266,8 @@ std::vector<Overlay> overlays_for(const LiveView& view, const ViewOptions& optio
     overlays.push_back(layer_overlay(view.depth_layer->pixels, view.depth_layer->at));
   if (options.faults && !view.faults_layer.empty())
     overlays.push_back(layer_overlay(view.faults_layer));
+  if (options.focus && !view.focus_layer.empty())
+    overlays.push_back(layer_overlay(view.focus_layer));
   if (options.edges && result.edges) overlays.push_back(edges_overlay(*result.edges));
   if (options.markers && result.markers) overlays.push_back(markers_overlay(*result.markers));
   if (options.markers && !view.result.dots.empty())

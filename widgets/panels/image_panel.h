@@ -20,7 +20,7 @@ namespace alltact {
 // Overlays of the live image, and the readout of a pixel.
 
 struct ViewOptions {
-  bool edges = true, markers = true, direction = true, depth = true, faults = false;
+  bool edges = true, markers = true, direction = true, depth = true, faults = true, focus = false;
   double depth_top_mm = 1.0;  ///< end of the depth colour scale, [0.1, 10]
   bool operator==(const ViewOptions&) const = default;
 };
