@@ -1613,8 +1613,8 @@
         <translation>gleiche Haltung wie andere</translation>
     </message>
     <message>
-        <source>something pressed</source>
-        <translation>etwas drückte</translation>
+        <source>contact, certain or possible</source>
+        <translation>Kontakt, sicher oder möglich</translation>
     </message>
     <message>
         <source>left out by you</source>

@@ -1601,8 +1601,8 @@
         <translation>姿态与其他帧相同</translation>
     </message>
     <message>
-        <source>something pressed</source>
-        <translation>有物体按压</translation>
+        <source>contact, certain or possible</source>
+        <translation>接触（确定或可能）</translation>
     </message>
     <message>
         <source>left out by you</source>

@@ -17,6 +17,8 @@
 #include <mutex>
 #include <vector>
 
+#include <opencv2/imgproc.hpp>
+
 namespace alltact {
 namespace {
 
@@ -302,6 +304,10 @@ cv::Mat faults_layer(const cv::Mat& grey, const FrameResult& result) {
                      dark = premultiplied({60, 150, 255}, 1),
                      white = premultiplied({255, 255, 255}, 1);
   const cv::Mat flags = fault_flags(grey, result);
+  const auto is_fault = [](std::uint8_t flag) {
+    return flag == kSaturated || flag == kTooDark || is_at_limit(flag);
+  };
+  if (std::none_of(flags.begin<std::uint8_t>(), flags.end<std::uint8_t>(), is_fault)) return {};
   cv::Mat layer = cv::Mat::zeros(grey.size(), CV_8UC4);
   for (int v = 0; v < grey.rows; ++v) {
     const auto* flag = flags.ptr<std::uint8_t>(v);
@@ -323,7 +329,7 @@ cv::Mat focus_layer(const cv::Mat& grey, const FrameResult& result) {
   cv::Mat bend;
   cv::Laplacian(grey, bend, CV_16S, 1, 1, 0, cv::BORDER_REPLICATE);
   cv::Mat layer = cv::Mat::zeros(grey.size(), CV_8UC4);
-  layer.setTo(cv::Scalar(40, 230, 250, 255),
+  layer.setTo(cv::Scalar(premultiplied({250, 230, 40}, 1)),
               cv::abs(bend) > std::max(kMinBend, kNoiseSds * kNoiseGain * noise_sd));
   return layer;
 }

@@ -26,8 +26,8 @@ struct PartLayer {
 [[nodiscard]] PartLayer depth_layer(const DepthMap& depth, double top_mm);
 /// Stripes falling to the right where a pixel is flagged kSaturated, to the left where kTooDark,
 /// level and white where the depth is at a limit (is_at_limit). Without a measurement `grey` alone
-/// decides both (grey_range.h), on the face only, where that is known. Size: the oriented image's.
-/// `grey`: CV_8UC1, the result's.
+/// decides both (grey_range.h), on the face only, where that is known. Size: the oriented image's;
+/// empty where nothing is flagged. `grey`: CV_8UC1, the result's.
 [[nodiscard]] cv::Mat faults_layer(const cv::Mat& grey, const FrameResult& result);
 
 /// Yellow where brightness bends sharply from pixel to pixel, beyond its noise: a sharp image shows

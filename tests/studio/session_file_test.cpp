@@ -19,6 +19,7 @@ SessionState example() {
   state.source = {"/scenes/a.yaml"};
   state.page = "record";
   state.view.depth = false;
+  state.view.focus = true;
   state.view.depth_top_mm = 2.5;
   state.is_locked = false;
   state.controls["usb-Camera_1-index0"] = {{9963795, "Gain", 17}, {10094850, "Exposure", -3}};

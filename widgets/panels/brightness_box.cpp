@@ -29,7 +29,7 @@ void LevelsPlot::paintEvent(QPaintEvent*) {
   if (levels_) {
     const auto& counts = levels_->counts;
     const int most = *std::max_element(counts.begin(), counts.end());
-    const double bar = static_cast<double>(width()) / static_cast<double>(counts.size());
+    const double bar_width = static_cast<double>(width()) / static_cast<double>(counts.size());
     for (std::size_t i = 0; i < counts.size() && most > 0; ++i) {
       if (counts[i] == 0) continue;
       const int level = static_cast<int>(i) * FaceLevels::kLevelsPerBin;
@@ -38,10 +38,10 @@ void LevelsPlot::paintEvent(QPaintEvent*) {
       const QColor colour = is_bright || is_dark ? meaning_colour(Meaning::kBad, palette())
                                                  : series_colour(0, palette());
       // The root shows a few clipped pixels next to many others.
-      const double height =
-          std::max(1.0, std::sqrt(static_cast<double>(counts[i]) / most) * (QWidget::height() - 2));
-      painter.fillRect(QRectF(bar * static_cast<double>(i), QWidget::height() - height,
-                              std::max(1.0, bar), height),
+      const double bar_height =
+          std::max(1.0, std::sqrt(static_cast<double>(counts[i]) / most) * (height() - 2));
+      painter.fillRect(QRectF(bar_width * static_cast<double>(i), height() - bar_height,
+                              std::max(1.0, bar_width), bar_height),
                        colour);
     }
   }

@@ -17,6 +17,9 @@ namespace {
 constexpr int kBar_px = 18, kMarks_px = 8, kSwatch_px = 10, kGap_px = 6;
 constexpr std::array kUses{FrameUse::kRetained, FrameUse::kRepeatsPose, FrameUse::kInContact,
                            FrameUse::kExcluded, FrameUse::kUnusable};
+/// Of several frames in one column of pixels the first of these is shown: a fault is not lost.
+constexpr std::array kShownFirst{FrameUse::kInContact, FrameUse::kUnusable, FrameUse::kRetained,
+                                 FrameUse::kRepeatsPose, FrameUse::kExcluded};
 
 }  // namespace
 
@@ -49,7 +52,7 @@ QString FrameStrip::name_of(FrameUse use) {
     case FrameUse::kRepeatsPose:
       return tr("same pose as others");
     case FrameUse::kInContact:
-      return tr("something pressed");
+      return tr("contact, certain or possible");
     case FrameUse::kExcluded:
       return tr("left out by you");
     case FrameUse::kUnusable:
@@ -151,24 +154,17 @@ void FrameStrip::paintEvent(QPaintEvent* /*event*/) {
   paint_legend(painter, bar().bottom() + 1 + kGap_px);
 }
 
-/// A column of pixels shows the worst of its frames: a single bad one is not lost among thousands.
 void FrameStrip::paint_frames(QPainter& painter, const QRect& bar) const {
   painter.fillRect(bar, palette().base());
-  const auto rank = [](FrameUse use) {
-    return std::find(kUses.begin(), kUses.end(), use) - kUses.begin();
-  };
   for (int x = bar.left(); x <= bar.right(); ++x) {
+    const auto pixels = static_cast<std::size_t>(width());
     const std::size_t first = *frame_at(x);
-    const std::size_t end = std::max(first + 1, static_cast<std::size_t>(x + 1) * uses_.size() /
-                                                    static_cast<std::size_t>(width()));
-    FrameUse worst = uses_[first];
-    for (std::size_t frame = first; frame < end; ++frame) {
-      const FrameUse use = uses_[frame];
-      const bool is_fault = use == FrameUse::kInContact || use == FrameUse::kUnusable;
-      if (rank(use) < rank(worst) || is_fault) worst = use;
-      if (is_fault) break;
-    }
-    painter.fillRect(QRect(x, bar.top(), 1, bar.height()), colour_of(worst));
+    const std::size_t end =
+        std::max(first + 1, static_cast<std::size_t>(x + 1) * uses_.size() / pixels);
+    const auto shown = std::find_first_of(kShownFirst.begin(), kShownFirst.end(),
+                                          uses_.begin() + static_cast<std::ptrdiff_t>(first),
+                                          uses_.begin() + static_cast<std::ptrdiff_t>(end));
+    painter.fillRect(QRect(x, bar.top(), 1, bar.height()), colour_of(*shown));
   }
   painter.setPen(palette().color(QPalette::Mid));
   painter.drawRect(bar.adjusted(0, 0, -1, -1));

@@ -4,7 +4,6 @@
 #include "calibration/reference/reference_recording.h"
 #include "widgets/widget_base.h"
 
-#include <QLabel>
 #include <QWidget>
 #include <optional>
 #include <vector>

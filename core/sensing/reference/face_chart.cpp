@@ -158,15 +158,14 @@ namespace {
 /// The skin below a marker.
 struct SkinBelow {
   double s_mm = std::numeric_limits<double>::quiet_NaN();  ///< NaN: unknown
-  double per_tilt = 1;  ///< how much s_mm grows where the chart's tilt on this side falls by 1 mm
+  double per_tilt = 1;  ///< its change over that of the chart's tilt on this side, of opposite sign
 };
 
 /// The two markers of a pair (numbers m and m + n) lie off the face, towards the camera: the
 /// distance of their image gives their common z, and the nearest point of the profile is the skin
 /// below their middle. One lies as far before the middle, along its own line of sight, as the other
-/// behind it. That is exact where the pair is skew, or turns within the face. Where the face
-/// twists, the markers, which are nearer, move more in the image than its edges: per_tilt lies
-/// between both.
+/// behind it, which is exact where the pair is skew. Where the face twists, the markers, which are
+/// nearer to the camera, move more in the image than its edges: per_tilt.
 std::vector<SkinBelow> skin_below(const FaceChart& chart, const FaceShape& shape,
                                   const Markers& markers) {
   std::vector<SkinBelow> below(markers.size());
@@ -198,10 +197,6 @@ std::vector<SkinBelow> skin_below(const FaceChart& chart, const FaceShape& shape
   }
   return below;
 }
-
-}  // namespace
-
-namespace {
 
 std::optional<SkinPositions::Tip> tip_of(const FaceChart& chart, const FaceShape& shape) {
   const auto end = shape.tip_end();
@@ -261,7 +256,10 @@ class ChartFit {
     chart_.half_mm += terms[1];
     chart_.tilt_mm = terms[2];
     chart_.tilt_slope_mm = terms[3];
+    chart_.tail_from_mm = last_marker_mm();
+    chart_.tail_over_mm = to_tip();  // any length: without an end nothing grows along the tail
     const bool has_end = now_ && is_end_shown();
+    if (has_end) chart_.tail_over_mm = now_->along_mm - chart_.tail_from_mm;
     find_sd(has_end);
     if (has_end) fit_tip();
   }
@@ -321,7 +319,7 @@ class ChartFit {
   [[nodiscard]] bool is_end_shown() const {
     return to_tip() * (positions_.tip->along_mm - now_->along_mm) <
                positions_.tip->max_missing_mm &&
-           to_tip() * (now_->along_mm - last_marker_mm()) > 0;
+           to_tip() * (now_->along_mm - chart_.tail_from_mm) > 0;
   }
 
   /// Length of the outermost seen marker; of the base where there is none.
@@ -337,34 +335,28 @@ class ChartFit {
   /// A length moves with the face's z: beyond the marker by its error there less that at the
   /// marker. The tip end fixes the lengths near it.
   void find_sd(bool has_end) {
-    const double from_mm = last_marker_mm();
-    const auto& columns = shape_.columns();
     double from_sd_mm = std::numeric_limits<double>::infinity();  // of z next to the marker
     for (std::size_t i = 0; i < chart_.along_mm.size(); ++i)
-      if (to_tip() * (chart_.along_mm[i] - from_mm) > 0)
-        from_sd_mm = std::min(from_sd_mm, z_sd_mm(columns, i));
+      if (chart_.tail_at(chart_.along_mm[i]) > 0) from_sd_mm = std::min(from_sd_mm, z_sd_mm(i));
     // Of the outer parts of both end lines: twice that of their middles.
     const double end_sd_mm =
         has_end ? 2.0 * std::hypot(now_->column_sd_mm, positions_.tip->column_sd_mm) : 0.0;
     chart_.along_sd_mm.assign(chart_.along_mm.size(), 0.0);
     for (std::size_t i = 0; i < chart_.along_mm.size(); ++i) {
-      const double beyond_mm = to_tip() * (chart_.along_mm[i] - from_mm);
-      if (!(beyond_mm > 0)) continue;
-      const double sd_mm =
-          std::sqrt(std::max(0.0, square(z_sd_mm(columns, i)) - square(from_sd_mm)));
-      const double part =
-          has_end ? std::clamp(beyond_mm / (to_tip() * (now_->along_mm - from_mm)), 0.0, 1.0) : 0.0;
+      const double tail = chart_.tail_at(chart_.along_mm[i]);
+      if (!(tail > 0)) continue;
+      const double sd_mm = std::sqrt(std::max(0.0, square(z_sd_mm(i)) - square(from_sd_mm)));
+      const double part = has_end ? std::min(tail, 1.0) : 0.0;
       chart_.along_sd_mm[i] = std::hypot(sd_mm * (1.0 - part * part), part * end_sd_mm);
     }
   }
-  [[nodiscard]] double z_sd_mm(const std::vector<FaceColumn>& columns, std::size_t i) const {
-    return columns[static_cast<std::size_t>(chart_.first) + i].z_sd_mm;
+  /// Of the chart's entry i.
+  [[nodiscard]] double z_sd_mm(std::size_t i) const {
+    return shape_.columns()[static_cast<std::size_t>(chart_.first) + i].z_sd_mm;
   }
 
   /// The end line is the same skin in both frames, along the finger and in its lean.
   void fit_tip() {
-    chart_.tail_from_mm = last_marker_mm();
-    chart_.tail_over_mm = now_->along_mm - chart_.tail_from_mm;
     const double over_mm = std::abs(chart_.tail_over_mm);
     const auto limited = [&](double off_mm, double most) {
       return std::clamp(off_mm, -most * over_mm, most * over_mm);

@@ -12,6 +12,7 @@
 #include <limits>
 
 #include <gtest/gtest.h>
+#include <opencv2/imgproc.hpp>
 
 namespace alltact {
 namespace {
@@ -120,6 +121,22 @@ TEST(LiveFaults, FollowsTheOneDefinitionWhereNothingIsMeasured) {
     const Stripe row = colour_in(layer, cv::Rect(0, v, kPeriod_px, 1));
     EXPECT_EQ(row, v < kTooDarkBelow ? dark : v >= kClippedFrom ? bright : kNothing) << v;
   }
+}
+
+TEST(LiveFaults, AnImageWithoutAnyNeedsNoLayer) {
+  EXPECT_TRUE(faults_layer(cv::Mat(40, 60, CV_8UC1, cv::Scalar(120)), FrameResult{}).empty());
+}
+
+TEST(LiveFocus, ShowsTheEdgesOfASharpImageAndNoneOfABlurredOne) {
+  constexpr int kEdge = 50;
+  cv::Mat sharp(80, 100, CV_8UC1, cv::Scalar(40)), blurred;
+  sharp.colRange(kEdge, sharp.cols).setTo(140);
+  cv::GaussianBlur(sharp, blurred, {}, 4);
+  const cv::Mat layer = focus_layer(sharp, FrameResult{});
+  for (int v = 0; v < layer.rows; ++v)
+    for (int u = 0; u < layer.cols; ++u)
+      ASSERT_EQ(layer.at<Stripe>(v, u) != kNothing, u == kEdge - 1 || u == kEdge) << u << ' ' << v;
+  EXPECT_EQ(cv::countNonZero(focus_layer(blurred, FrameResult{}).reshape(1)), 0);
 }
 
 DepthMap map_of(const cv::Mat& depth_mm) {
