@@ -576,7 +576,7 @@ Result<Calibration> solve_jointly(const std::vector<Press>& presses, std::vector
   if (!job.stop_requested())
     calibration.radius_sensitivity = vary_radius(coarse.presses, fit, choice->options, job);
   if (!job.stop_requested())
-    calibration.next_press = advise(coarse.presses, fit, choice->options, face_length_mm(found));
+    calibration.next_press = advise(fine, fit, choice->options, face_length_mm(found));
   calibration.balls = balls_of(found, *choice, fit, covariance, job);
   if (const auto impossible = beyond_layer(calibration.balls, face)) return *impossible;
   record_shapes(shapes, presses, fit.curve, choice->options.along, &calibration);

@@ -183,5 +183,30 @@ TEST(LiftOff, DoesNotScaleTheMapping) {
   EXPECT_LT(*std::max_element(off.begin(), off.end()), 0.03);
 }
 
+/// By the inner zone alone all balls lie too deep or too shallow by one amount, however quiet the
+/// images are.
+TEST(LiftOff, QuietImagesAreReadBeyondTheInnerZoneToo) {
+  std::vector<double> inner_off, off;
+  for (unsigned run = 0; run < 6; ++run) {
+    std::mt19937 random(200 + run);
+    LiftedWorld world(0.05 + 0.06 * run, 0.0004, random);
+    CalibrationSettings settings;
+    settings.along = AlongChoice::kZ;
+    const auto choice = choose_model(world.input, settings, Job{});
+    ASSERT_TRUE(choice);
+    const JointOptions inner;
+    const JointFit start = straight_start(world.input, inner.along, choice->fit.curve.x_max());
+    const JointFit alone =
+        fit_jointly(world.input.presses, as_family(start, kLayerFamily), inner, Job{});
+    const double x = 0.9 * choice->fit.curve.x_max();
+    const double truth = 2.6 * x / (1.0 + 0.7 * x);
+    off.push_back(std::abs(choice->fit.curve.depth_mm(x) / truth - 1.0));
+    inner_off.push_back(std::abs(alone.curve.depth_mm(x) / truth - 1.0));
+    std::printf("[ figures  ] zone %.2f: scale off by %.4f, by the inner zone alone %.4f\n",
+                choice->options.zone, off.back(), inner_off.back());
+  }
+  EXPECT_LT(upper_median(off), 0.7 * upper_median(inner_off));
+}
+
 }  // namespace
 }  // namespace alltact
