@@ -11,7 +11,7 @@
 // D - r^2 / (2 R), so with a radius 10 % too large every depth comes out 10 % too small and the
 // presses agree as before. A check with a ball of another size shows it (press_check.h).
 //
-// Simulated calibrations with a known fault are examples, and test these rules (simulated_fault.h).
+// Simulated calibrations with a known fault test these rules (tests/support/simulated_fault.h).
 #pragma once
 
 #include "core/base/message.h"

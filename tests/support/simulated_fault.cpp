@@ -1,4 +1,4 @@
-#include "calibration/experiments/simulated_fault.h"
+#include "tests/support/simulated_fault.h"
 
 #include "core/sensing/pipeline.h"
 #include "core/simulation/plan.h"

@@ -1,5 +1,5 @@
-// Simulated calibrations with a known fault: examples of each fault, and tests of the rules that
-// detect it (calibration_faults.h).
+// Simulated calibrations with a known fault, for the rules that detect it (calibration_faults.h)
+// and for the report's pictures of typical faults.
 #pragma once
 
 #include "calibration/joint/calibrate.h"

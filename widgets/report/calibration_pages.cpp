@@ -1,7 +1,6 @@
 #include "widgets/report/calibration_pages.h"
 
 #include "calibration/checks/check_history.h"
-#include "calibration/experiments/simulated_fault.h"
 #include "calibration/finger/calibration_report.h"
 #include "calibration/report/press_resolution.h"
 #include "core/base/atomic_file.h"
@@ -38,110 +37,53 @@
 namespace alltact {
 namespace {
 
-constexpr int kWidth = 260, kHeight = 126;  // px at 96 to the inch
-constexpr std::uint64_t kSeed = 1;
-
-enum class Shown { kCloud = 1, kLight };
-
-struct Entry {
-  Fault fault;
-  Shown shown;
+/// An image of a calibration with one fault, and what it shows.
+struct TypicalFault {
+  const char* image;
   QString name, text;
 };
 
-std::vector<Entry> catalogue() {
+std::vector<TypicalFault> typical_faults() {
   return {
-      {Fault::kNone, Shown::kCloud, text("No fault"),
+      {"none", text("No fault"),
        text("One narrow cloud from zero to the deepest press, on the line.")},
-      {Fault::kBrighterLight, Shown::kLight, text("Other light than when the reference was taken"),
+      {"brighter_light", text("Other light than when the reference was taken"),
        text("Here 5 % more: all bars alike and beyond the dashed lines. The program corrects it "
             "and says so. Left uncorrected, every press would seem less deep.")},
-      {Fault::kAutomaticExposure, Shown::kLight, text("Automatic exposure"),
+      {"automatic_exposure", text("Automatic exposure"),
        text("Here another gain in every press, within 6 %: bars up and down. The program says so: "
             "lock exposure and gain, shade the finger, press again.")},
-      {Fault::kMovedCamera, Shown::kCloud, text("Finger or camera moved after the reference"),
+      {"moved_camera", text("Finger or camera moved after the reference"),
        text("Here by 0.45 mm. On a flat sensor in even light it does not show. Of a bending finger "
             "the program says when the reference does not hold the pose of most presses.")},
-      {Fault::kLooseSkin, Shown::kCloud, text("Skin that leaves the ball, light at its edge"),
+      {"loose_skin", text("Skin that leaves the ball, light at its edge"),
        text("Crosses away from the line near zero: towards the rim the skin no longer follows the "
             "ball, and swells brightly beside it. Common, and no fault as long as the dots lie on "
             "the line: only the inner part is used.")},
-      {Fault::kWrongRadius, Shown::kCloud, text("Wrong radius of the ball"),
+      {"wrong_radius", text("Wrong radius of the ball"),
        text("Here given 10 % too large: it looks as good as no fault, and every depth is 9 % too "
             "small. No residual shows a wrong radius. Measure the ball with callipers; a check "
             "with a ball of another size shows it (alltact check --presses --ball-radius-mm).")},
   };
 }
 
-QImage image_of(const Entry& entry, const SimulatedCalibration& made, const QPalette& palette,
-                const QFont& font) {
-  const auto dressed = [&](Plot& plot) {
-    plot.setFont(font);
-    plot.setPalette(palette);
-    return plot.image({kWidth, kHeight}, 2.0);
-  };
-  if (entry.shown == Shown::kLight) {
-    std::vector<PressLight> light;
-    for (const PressSign& sign : made.signs) light.push_back({"", 100 * sign.light_change});
-    PressLightPlot plot;
-    plot.set_data(std::move(light), 100 * kOtherLight);
-    return dressed(plot);
-  }
-  MappingPlotData data = mapping_figure(made.calibration, made.residuals);
-  data.is_small = true;
-  MappingPlot plot;
-  plot.set_data(std::move(data));
-  return dressed(plot);
-}
-
-/// The example calibrations, each simulated at the call with one fault. About a second; any thread.
-/// Error: the job was stopped.
-Result<std::vector<SimulatedCalibration>> simulate_typical_faults(const Job& job) {
-  std::vector<SimulatedCalibration> all;
-  for (const Entry& entry : catalogue()) {
-    auto made = simulate_calibration(entry.fault, kSeed, true, job);
-    if (!made) return made.error();
-    all.push_back(std::move(*made));
-  }
-  return all;
-}
-
-/// Adds the chapter about them.
-void add_typical_faults(Document& document, const std::vector<SimulatedCalibration>& faults,
-                        const QPalette& palette, const QFont& font) {
-  document.new_page();
-  document.heading(text("Typical faults, and what they look like"));
-  document.paragraph(text(
-      "Each picture is a calibration with four presses on a small flat sensor that this program "
-      "has just simulated, with this fault and nothing else. Compare them with your own."));
-  std::vector<Document::Row> rows;
-  const std::vector<Entry> entries = catalogue();
-  assert(entries.size() == faults.size());
-  for (std::size_t i = 0; i < entries.size(); ++i)
-    rows.push_back({{QString(), image_of(entries[i], faults[i], palette, font), kWidth},
-                    {entries[i].name + ".\n" + entries[i].text}});
-  document.table({}, rows, {});
-}
-
 /// Writes one report from top to bottom.
 class ReportPages {
  public:
-  ReportPages(std::shared_ptr<const FingerCalibration> done, std::filesystem::path folder,
-              std::vector<SimulatedCalibration> faults)
+  ReportPages(std::shared_ptr<const FingerCalibration> done, std::filesystem::path folder)
       : shared_(std::move(done)),
         folder_(std::move(folder)),
-        faults_(std::move(faults)),
         light_(theme_palette(Theme::kLight)),
         document_(text("Calibration of finger %1").arg(as_text(shared_->finger.name))) {}
 
   /// Writes the next part, in a fraction of a second. False: there is none left.
   bool write_next() {
     constexpr std::array kParts{
-        &ReportPages::add_verdict,    &ReportPages::add_facts,      &ReportPages::add_presses,
-        &ReportPages::add_mapping,    &ReportPages::add_errors,     &ReportPages::add_maps,
-        &ReportPages::add_spread,     &ReportPages::add_resolution, &ReportPages::add_methods,
-        &ReportPages::add_light,      &ReportPages::add_remarks,    &ReportPages::add_history,
-        &ReportPages::add_repetition, &ReportPages::add_faults};
+        &ReportPages::add_verdict,    &ReportPages::add_facts,         &ReportPages::add_presses,
+        &ReportPages::add_mapping,    &ReportPages::add_errors,        &ReportPages::add_maps,
+        &ReportPages::add_spread,     &ReportPages::add_resolution,    &ReportPages::add_methods,
+        &ReportPages::add_light,      &ReportPages::add_remarks,       &ReportPages::add_history,
+        &ReportPages::add_repetition, &ReportPages::add_typical_faults};
     if (next_ == kParts.size()) return false;
     (this->*kParts[next_++])();
     return true;
@@ -173,7 +115,7 @@ class ReportPages {
   void add_remarks();
   void add_history();
   void add_repetition();
-  void add_faults() { add_typical_faults(document_, faults_, light_, plot_font()); }
+  void add_typical_faults();
 
   void add_plot(Plot& plot, int height, const QString& caption) {
     document_.figure(plot.image({kFigureWidth, height}, kSharpness), kFigureWidth, caption);
@@ -202,7 +144,6 @@ class ReportPages {
   const std::shared_ptr<const FingerCalibration> shared_;
   const FingerCalibration& calibration_ = *shared_;
   const std::filesystem::path folder_;
-  const std::vector<SimulatedCalibration> faults_;
   std::size_t next_ = 0;
   const QPalette light_;
   Document document_;
@@ -418,6 +359,22 @@ void ReportPages::add_repetition() {
       text("Add --exclude NAME to leave a press out, --include NAME to take it back."));
 }
 
+void ReportPages::add_typical_faults() {
+  document_.new_page();
+  document_.heading(text("Typical faults, and what they look like"));
+  document_.paragraph(text(
+      "Each picture is a calibration with four presses on a small flat sensor, simulated with this "
+      "fault and nothing else. Compare them with your own."));
+  std::vector<Document::Row> rows;
+  for (const TypicalFault& fault : typical_faults()) {
+    const QImage image(QStringLiteral(":/alltact/pictures/faults/%1.png").arg(fault.image));
+    assert(!image.isNull());
+    const int width = static_cast<int>(image.width() / kSharpness);
+    rows.push_back({{QString(), image, width}, {fault.name + ".\n" + fault.text}});
+  }
+  document_.table({}, rows, {});
+}
+
 Result<std::vector<ReportFile>> files_of(const Document& report, const std::string& date,
                                          const Job& job) {
   std::string html = report.html();
@@ -431,10 +388,8 @@ Result<std::vector<ReportFile>> files_of(const Document& report, const std::stri
 Result<std::vector<ReportFile>> make_calibration_pages(const FingerCalibration& done,
                                                        const std::filesystem::path& folder,
                                                        const Job& job) {
-  auto faults = simulate_typical_faults(job);
-  if (!faults) return faults.error();
   const std::shared_ptr<const FingerCalibration> lent(std::shared_ptr<void>(), &done);
-  ReportPages pages(lent, folder, std::move(*faults));
+  ReportPages pages(lent, folder);
   while (pages.write_next())
     if (job.stop_requested()) return stopped();
   return files_of(pages.document(), done.inputs.date, job);
@@ -521,10 +476,13 @@ QImage full_image(const cv::Mat& grey, const QSize& size) {
 }
 
 struct ReportWriter::Pages {
-  std::shared_ptr<const FingerCalibration> done;
-  std::filesystem::path folder;
-  std::optional<ReportPages> pages = {};
-  std::mutex writing = {};
+  Pages(std::shared_ptr<const FingerCalibration> done, const std::filesystem::path& into)
+      : folder(into), date(done->inputs.date), pages(std::move(done), into) {}
+
+  const std::filesystem::path folder;
+  const std::string date;
+  ReportPages pages;
+  std::mutex writing;
   bool is_stopped = false;  ///< nothing may be written any more
 };
 
@@ -535,10 +493,9 @@ void ReportWriter::start(std::shared_ptr<const FingerCalibration> done,
                          const std::filesystem::path& folder) {
   stop();
   problem_.reset();
-  pages_ = std::make_shared<Pages>();
-  pages_->done = std::move(done);
-  pages_->folder = folder;
-  prepare(pages_);
+  const EnglishScope as_for_the_lab_book;
+  pages_ = std::make_shared<Pages>(std::move(done), folder);
+  QTimer::singleShot(0, this, [this, pages = pages_] { draw(pages); });
 }
 
 void ReportWriter::stop() {
@@ -550,26 +507,12 @@ void ReportWriter::stop() {
   work_.reset();
 }
 
-void ReportWriter::prepare(const std::shared_ptr<Pages>& pages) {
-  work_ = std::make_unique<BackgroundWork>();  // this requests the replaced one to stop
-  work_->start([this, pages](const Job& job) {
-    using Faults = Result<std::vector<SimulatedCalibration>>;
-    const auto faults = std::make_shared<Faults>(simulate_typical_faults(job));
-    return std::function<void()>([this, pages, faults] {
-      if (pages != pages_) return;
-      if (!*faults) return end(faults->error());
-      pages->pages.emplace(pages->done, pages->folder, std::move(**faults));
-      draw(pages);
-    });
-  });
-}
-
 void ReportWriter::draw(const std::shared_ptr<Pages>& pages) {
   if (pages != pages_) return;
   bool is_drawn = false;
   {
     const EnglishScope as_for_the_lab_book;
-    is_drawn = !pages->pages->write_next();
+    is_drawn = !pages->pages.write_next();
   }
   QTimer::singleShot(0, this, [this, pages, is_drawn] { is_drawn ? write(pages) : draw(pages); });
 }
@@ -579,7 +522,7 @@ void ReportWriter::write(const std::shared_ptr<Pages>& pages) {
   work_ = std::make_unique<BackgroundWork>();
   work_->start([this, pages](const Job& job) {
     const auto written = std::make_shared<Status>();
-    const auto files = files_of(pages->pages->document(), pages->done->inputs.date, job);
+    const auto files = files_of(pages->pages.document(), pages->date, job);
     if (!files) *written = files.error();
     const std::lock_guard lock(pages->writing);
     for (std::size_t i = 0; files && i < files->size() && *written && !pages->is_stopped; ++i)

@@ -68,7 +68,6 @@ class ReportWriter : public QObject {
 
  private:
   struct Pages;
-  void prepare(const std::shared_ptr<Pages>& pages);
   void draw(const std::shared_ptr<Pages>& pages);
   void write(const std::shared_ptr<Pages>& pages);
   void end(const Status& how);

@@ -1,8 +1,7 @@
 // Faults that are known, made by simulation: the rules must see those that can be seen, be silent
 // where there is none, and what cannot be seen is said to be so.
-#include "calibration/experiments/simulated_fault.h"
-
 #include "core/finger/mapping.h"
+#include "tests/support/simulated_fault.h"
 
 #include <cmath>
 #include <map>

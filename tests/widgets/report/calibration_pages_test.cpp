@@ -1,12 +1,21 @@
 #include "widgets/report/calibration_pages.h"
 
 #include "calibration/checks/check_history.h"
-#include "calibration/experiments/simulated_fault.h"
 #include "tests/support/good_evidence.h"
+#include "tests/support/picture_match.h"
 #include "tests/support/program.h"
+#include "tests/support/simulated_fault.h"
+#include "widgets/language.h"
+#include "widgets/plots/calibration_plots.h"
+#include "widgets/plots/press_plots.h"
+#include "widgets/report/calibration_figures.h"
 #include "widgets/report/document.h"
+#include "widgets/theme.h"
 
+#include <QDir>
 #include <algorithm>
+#include <memory>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -156,6 +165,54 @@ TEST(CalibrationPages, ShowTheChecksBeforeAndNotThoseAfter) {
   check.time = "2026-01-01T00:00:00Z";
   ASSERT_TRUE(append_check(folder.path(), check).ok());
   EXPECT_THAT(pages_of(done, folder.path()).html, HasSubstr("Checks before"));
+}
+
+/// The light of the presses where that is the fault, else the mapping.
+QImage picture_of(Fault fault) {
+  const auto made = simulate_calibration(fault, 1, true, Job());
+  EXPECT_TRUE(made.ok());
+  std::unique_ptr<Plot> plot;
+  if (fault == Fault::kBrighterLight || fault == Fault::kAutomaticExposure) {
+    std::vector<PressLight> light;
+    for (const PressSign& sign : made->signs) light.push_back({"", 100 * sign.light_change});
+    auto shown = std::make_unique<PressLightPlot>();
+    shown->set_data(std::move(light), 100 * kOtherLight);
+    plot = std::move(shown);
+  } else {
+    MappingPlotData data = mapping_figure(made->calibration, made->residuals);
+    data.is_small = true;
+    auto shown = std::make_unique<MappingPlot>();
+    shown->set_data(std::move(data));
+    plot = std::move(shown);
+  }
+  QFont font("DejaVu Sans");
+  font.setPixelSize(12);
+  plot->setFont(font);
+  plot->setPalette(theme_palette(Theme::kLight));
+  return plot->image({260, 126}, 2.0);
+}
+
+/// ALLTACT_RENEW_HELP=1 keeps what is drawn now.
+TEST(CalibrationPages, PicturesOfTypicalFaultsAreWhatIsSimulatedNow) {
+  const EnglishScope english;
+  const std::pair<const char*, Fault> faults[] = {{"none", Fault::kNone},
+                                                  {"brighter_light", Fault::kBrighterLight},
+                                                  {"automatic_exposure", Fault::kAutomaticExposure},
+                                                  {"moved_camera", Fault::kMovedCamera},
+                                                  {"loose_skin", Fault::kLooseSkin},
+                                                  {"wrong_radius", Fault::kWrongRadius}};
+  const QDir folder(QStringLiteral(ALLTACT_SOURCE_DIR "/resources/pictures/faults"));
+  for (const auto& [name, fault] : faults) {
+    const QString file = folder.filePath(QStringLiteral("%1.png").arg(QLatin1String(name)));
+    const QImage now = picture_of(fault);
+    if (qEnvironmentVariableIsSet("ALLTACT_RENEW_HELP")) {
+      ASSERT_TRUE(folder.mkpath(QStringLiteral(".")) && now.save(file)) << name;
+      continue;
+    }
+    const QImage kept(file);
+    ASSERT_FALSE(kept.isNull()) << name << " is missing";
+    EXPECT_EQ(test::what_differs(now, kept), "") << name;
+  }
 }
 
 TEST(CalibrationPages, StopAtOnce) {
