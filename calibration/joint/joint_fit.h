@@ -124,12 +124,13 @@ struct ModelChoice {
 /// Contacts are read within 0.65 of their rim, where skin and ball touch on any material (Hertz:
 /// 0.71), or in a wider zone where that makes all depths more certain, by chance and by the errors
 /// that presses share: the inner zone leaves open an offset of all balls, which a curve that is
-/// not quite the layer's takes up. The zone reaches as far out as skin and ball touch by the
-/// lift-off (contact_model.h) that all presses determine, and as the common residuals of the rings
-/// are explained. The direction of the thickness is chosen first, by the family of layers. With
-/// five presses and more the mapping may vary over the face, when held-out presses agree clearly
-/// better then. nullopt when no family gave an increasing curve, or the job was stopped before one
-/// had.
+/// not quite the layer's takes up. A measured depth or another body that determines the scale to a
+/// hundredth settles it, and the inner zone alone is read. The zone reaches as far out as skin and
+/// ball touch by the lift-off (contact_model.h) that all presses determine, and as the common
+/// residuals of the rings are explained. The direction of the thickness is chosen first, by the
+/// family of layers. With five presses and more the mapping may vary over the face, when held-out
+/// presses agree clearly better then. nullopt when no family gave an increasing curve, or the job
+/// was stopped before one had.
 [[nodiscard]] std::optional<ModelChoice> choose_model(const ChoiceInput& input,
                                                       const CalibrationSettings& settings,
                                                       const Job& job);

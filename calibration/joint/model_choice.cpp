@@ -131,6 +131,7 @@ bool is_no_worse(const std::vector<double>& a, const std::vector<double>& b, dou
 
 constexpr double kQuietRingMm = 0.002;  // mean residual of a ring that is always accepted
 constexpr double kRingExcess = 1.5;     // times the scatter of a ring's sectors
+constexpr double kSmallSd = 0.01;       // of the depth: small enough a standard deviation by chance
 // of the rim's radius: the skin is not exactly that membrane
 constexpr double kContactMargin = 0.03;
 
@@ -170,6 +171,13 @@ Message inner_sentence(double zone) {
       100.0 * zone);
 }
 
+/// Whether more than balls in images is known: a measured depth, or another body.
+bool knows_a_depth(const ChoiceInput& input) {
+  return (input.shapes != nullptr && !input.shapes->empty()) ||
+         std::any_of(input.presses.begin(), input.presses.end(),
+                     [](const PressSamples* press) { return press->given_depth.has_value(); });
+}
+
 /// Fits as much of each contact as ball and lift-off explain, from the rim inwards, by the family
 /// of layers. Stores the zone in `options`, and a sentence on it in `remark`. The inner zone alone
 /// leaves an offset between balls and mapping open. A curve that is not quite the layer's takes
@@ -181,6 +189,11 @@ JointFit choose_zone(const ChoiceInput& input, JointFit fit, JointOptions* optio
   options->zone = kInnerZone;
   fit = fit_jointly(input.presses, as_family(fit, kLayerFamily), *options, job);
   *remark = inner_sentence(options->zone);
+  // What is measured settles that offset. The fit weighs no errors common to samples, so those of
+  // the rim would outvote it.
+  if (knows_a_depth(input) &&
+      relative_depth_sd(fit, chance_covariance_of(input.presses, fit, *options)) < kSmallSd)
+    return fit;
   const double inner_part = relative_depth_sd(fit, covariance_of(input.presses, fit, *options));
   JointFit start = fit;
   start.lift_mm = kTypicalLiftMm;
