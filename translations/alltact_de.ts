@@ -9782,8 +9782,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>ob die Abbildung sich langsam über die Fläche ändern darf, bei ungleichmäßigem Licht oder ungleichmäßiger Schicht; auto: wenn ausgelassene Eindrücke dann deutlich besser passen</translation>
     </message>
     <message>
-        <source>the inner {:.0f} % of each contact&apos;s radius was used, where the skin certainly touches the ball</source>
-        <translation>verwendet wurden die inneren {} % des Radius jedes Kontakts, wo die Haut die Kugel sicher berührt</translation>
+        <source>the inner {:.0f} % of each contact&apos;s radius was used, where the skin touches the ball</source>
+        <translation>verwendet wurden die inneren {} % des Radius jedes Kontakts, wo die Haut die Kugel berührt</translation>
     </message>
     <message>
         <source>the inner {:.0f} % of each contact&apos;s radius was used; the skin leaves the ball over {:.2f} mm</source>

@@ -9731,8 +9731,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>映射是否可在接触面上缓慢变化，用于光照或层不均匀的情况；auto：当留出的按压因此明显更吻合时</translation>
     </message>
     <message>
-        <source>the inner {:.0f} % of each contact&apos;s radius was used, where the skin certainly touches the ball</source>
-        <translation>使用了每处接触半径的内侧 {} %，那里表皮确实贴着球</translation>
+        <source>the inner {:.0f} % of each contact&apos;s radius was used, where the skin touches the ball</source>
+        <translation>使用了每处接触半径的内侧 {} %，那里表皮贴着球</translation>
     </message>
     <message>
         <source>the inner {:.0f} % of each contact&apos;s radius was used; the skin leaves the ball over {:.2f} mm</source>

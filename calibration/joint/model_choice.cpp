@@ -166,8 +166,7 @@ double contact_fraction(const ChoiceInput& input, const JointFit& fit) {
 
 Message inner_sentence(double zone) {
   return en::say(
-      "the inner {:.0f} % of each contact's radius was used, where the skin certainly touches the "
-      "ball",
+      "the inner {:.0f} % of each contact's radius was used, where the skin touches the ball",
       100.0 * zone);
 }
 
