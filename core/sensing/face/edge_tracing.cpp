@@ -1,6 +1,7 @@
 #include "core/sensing/face/edge_tracing.h"
 
 #include "core/numerics/dispatch.h"
+#include "core/numerics/median.h"
 
 #include <algorithm>
 #include <array>
@@ -23,6 +24,8 @@ constexpr float kUpdateRate = 0.3F, kDotUpdateRate = 0.1F;
 /// Extrapolates the edge: a straight line through the last few samples.
 class EdgePredictor {
  public:
+  static constexpr std::size_t kMaxPoints = 8;
+
   void add(double u, double v) {
     if (points_.size() == kMaxPoints) points_.erase(points_.begin());
     points_.emplace_back(u, v);
@@ -40,7 +43,6 @@ class EdgePredictor {
   }
 
  private:
-  static constexpr std::size_t kMaxPoints = 8;
   std::vector<std::pair<double, double>> points_;
 };
 
@@ -70,9 +72,22 @@ bool is_near_dot(double outside, double contrast, double around) {
   return !(std::abs(outside - around) <= std::max(kMinDifference, kFraction * contrast));
 }
 
-/// Brightness outside the face between dots, by sample. The lower or upper third of the
-/// surroundings, whichever agrees better, since dots are all brighter or all darker. NaN without
-/// surroundings.
+/// Change of the outside level from one valid sample to the next, by the median of their
+/// differences over [first, last]. Those between a dot and a gap cancel: they occur with both
+/// signs.
+double median_trend(const Followed& followed, int first, int last) {
+  constexpr int kApart = 3;
+  std::vector<double> steps;
+  const auto valid = [&](int i) { return followed.edge.valid[static_cast<std::size_t>(i)] != 0; };
+  const auto level = [&](int i) { return followed.outside[static_cast<std::size_t>(i)]; };
+  for (int i = first; i + kApart <= last; ++i)
+    if (valid(i) && valid(i + kApart)) steps.push_back((level(i + kApart) - level(i)) / kApart);
+  return upper_median(steps);
+}
+
+/// Brightness outside the face between dots, by sample: the surroundings with their trend along the
+/// finger removed, of which the lower or upper third counts, whichever agrees better, since dots
+/// are all brighter or all darker. NaN without surroundings.
 std::vector<double> between_dots(const Followed& followed) {
   constexpr int kReachSamples = 5;
   const auto count = static_cast<int>(followed.outside.size());
@@ -81,9 +96,10 @@ std::vector<double> between_dots(const Followed& followed) {
   for (int i = 0; i < count; ++i) {
     around.clear();
     const int first = std::max(0, i - kReachSamples), last = std::min(count - 1, i + kReachSamples);
+    const double trend = median_trend(followed, first, last);
     for (int j = first; j <= last; ++j)
       if (followed.edge.valid[static_cast<std::size_t>(j)])
-        around.push_back(followed.outside[static_cast<std::size_t>(j)]);
+        around.push_back(followed.outside[static_cast<std::size_t>(j)] + trend * (i - j));
     if (around.empty()) continue;
     std::sort(around.begin(), around.end());
     const auto at = [&](double part) {
@@ -150,8 +166,11 @@ int follow(const EdgeReader& reader, const Seed& seed, const std::vector<double>
                     std::vector<float>(columns.size(), 0.0F)};
   Edge& edge = followed.edge;
   int seen = 0;
+  // The seed's slope is rough. What is found on one side of it predicts the other side.
+  std::vector<std::pair<double, double>> passed;  // the nearest first
   for (const int direction : {-1, 1}) {
     EdgePredictor ahead;
+    for (std::size_t n = passed.size(); n-- > 0;) ahead.add(passed[n].first, passed[n].second);
     ahead.add(columns[static_cast<std::size_t>(seed.sample)], seed.v);
     ExpectedEdge expected{static_cast<float>(seed.outside), seed.steepness};
     for (int i = direction < 0 ? seed.sample : seed.sample + 1; i >= 0 && i < count;
@@ -168,7 +187,11 @@ int follow(const EdgeReader& reader, const Seed& seed, const std::vector<double>
       auto prediction = crossing;  // crossing that the prediction is updated with
       if (!crossing || near_dot)
         prediction = reader.at(columns[k], v, slope, kFollowReach, expected);
-      if (prediction && i != seed.sample) ahead.add(columns[k], v + prediction->offset);
+      if (prediction && i != seed.sample) {
+        ahead.add(columns[k], v + prediction->offset);
+        if (direction < 0 && passed.size() + 1 < EdgePredictor::kMaxPoints)
+          passed.emplace_back(columns[k], v + prediction->offset);
+      }
       if (!crossing) continue;
       edge.v[k] = v + crossing->offset;
       edge.sd[k] = crossing->sd;
@@ -549,6 +572,13 @@ constexpr double kBlurred = 3.2;  // contrast over slope, rows: a wider transiti
 // the crossing and half the sum of two lines through kFar - kNear + 1 rows, extrapolated to the
 // step.
 constexpr double kCrossingNoise = 1.2;
+/// Smallest contrast of an edge, and relative to the noise of one row. The difference between two
+/// means of kFar - kNear + 1 rows has 0.6 of that noise. At the tip, where little light arrives,
+/// contrast is low. Beside a dot a step of low contrast may be the dot's own.
+struct LeastContrast {
+  double grey_levels, times_noise;
+};
+constexpr LeastContrast kLeastContrast{2.0, 5.0}, kLeastBesideDot{3.0, 8.0};
 
 constexpr int kStepMargin =
     // Rows beyond a step that it reads on each side
@@ -703,7 +733,8 @@ std::optional<EdgeCrossing> crossing_between_levels(Profile& profile, float sign
   Level after = level_of(profile, inner, outer);
   if (outside) (face_below ? before : after) = {*outside, 0.0F, 0.0F};
   const float contrast = sign * (after.mean - before.mean);
-  if (contrast < std::max(3.0, 8.0 * noise)) return std::nullopt;
+  const auto& least = outside ? kLeastBesideDot : kLeastContrast;
+  if (contrast < std::max(least.grey_levels, least.times_noise * noise)) return std::nullopt;
   const auto above = [&](int i) {
     return sign * (profile[static_cast<std::size_t>(i)] - 0.5F * (before.at(i) + after.at(i)));
   };

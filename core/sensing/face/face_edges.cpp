@@ -72,7 +72,8 @@ constexpr int kInside = 20;   // columns searched inwards of the last sample of 
 constexpr int kBeyond = 120;  // and outwards
 constexpr double kMaxSlope = 0.7;
 constexpr double kOnLinePx = 1.2;
-constexpr int kMinStrips = 4;
+constexpr std::size_t kMinStrips = 4;  // on a line within the image; for one that leaves it...
+constexpr std::size_t kMinStripsAtBorder = 3;
 
 double square(double x) { return x * x; }
 
@@ -183,9 +184,15 @@ class EndReader {
  private:
   [[nodiscard]] int column(int i) const { return start_ + outwards_ * i; }
 
+  /// As a fraction of the way from the upper to the lower edge.
+  [[nodiscard]] static double centre_of(int strip) { return (strip + 1.0) / (kStrips + 1.0); }
+  [[nodiscard]] double row_of(int strip, double u) const {
+    return std::lerp(upper_.at(u), lower_.at(u), centre_of(strip));
+  }
+
   void read_steps(int strip) {
     // Off the edges, where blur mixes in the surroundings of the face.
-    const double centre = (strip + 1.0) / (kStrips + 1.0), half = 0.4 / (kStrips + 1.0);
+    const double centre = centre_of(strip), half = 0.4 / (kStrips + 1.0);
     const auto n = static_cast<std::size_t>(count_);
     std::vector<std::int32_t> first(n), last(n), sums(n, 0);
     const int from = std::min(column(0), column(count_ - 1));
@@ -222,7 +229,7 @@ class EndReader {
       const auto step = step_at(brightness, i);
       if (!step || step->contrast < min_step) continue;
       found.push_back(*step);
-      found.back().v = upper_.at(step->u) + centre * (lower_.at(step->u) - upper_.at(step->u));
+      found.back().v = row_of(strip, step->u);
     }
     std::stable_sort(found.begin(), found.end(),
                      [](const Step& a, const Step& b) { return a.contrast > b.contrast; });
@@ -274,6 +281,17 @@ class EndReader {
     return nearest;
   }
 
+  /// A leaning end near the border of the image is seen in a few strips only.
+  [[nodiscard]] std::size_t min_strips(const Step& on_it, double slope) const {
+    std::size_t inside = 0;
+    for (int strip = 0; strip < kStrips; ++strip) {
+      const double v = row_of(strip, on_it.u);
+      const double i = outwards_ * (on_it.u + slope * (v - on_it.v) - start_);
+      inside += i + kMinBeyond + 1 < count_;
+    }
+    return inside < kStrips ? kMinStripsAtBorder : kMinStrips;
+  }
+
   [[nodiscard]] std::optional<FaceEnd> best_line() const {
     double best_score = 0;
     std::vector<const Step*> best;
@@ -288,7 +306,7 @@ class EndReader {
             for (const auto& steps : steps_)
               if (const Step* step = on_line(steps, from.u, from.v, slope))
                 line.push_back(step), score += step->contrast;
-            if (score > best_score && line.size() >= kMinStrips)
+            if (score > best_score && line.size() >= min_strips(from, slope))
               best_score = score, best = std::move(line);
           }
     if (best.empty()) return std::nullopt;
