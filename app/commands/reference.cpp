@@ -78,7 +78,6 @@ void print_report(const ReferenceReport& report, Console& console) {
   answer["rest_frame"] = report.rest_frame;
   answer["error_median"] = report.error_median;
   answer["error_p95"] = report.error_p95;
-  answer["nearest_error_median"] = report.nearest_error_median;
   answer["error_median_mm"] = report.error_median_mm;
   answer["error_p95_mm"] = report.error_p95_mm;
   const auto range = [](const MotionCoverage::Reach& reach) {

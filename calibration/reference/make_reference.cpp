@@ -115,6 +115,7 @@ struct PosedRows {
 /// Frames of the recording that show a face, then those of the earlier reference.
 struct ReadFrames {
   PosedRows rows;
+  RecordedFaces faces;                ///< of `selected`, then of the earlier reference
   std::vector<std::size_t> numbers;   ///< in the recording, of the first rows
   std::vector<std::size_t> faceless;  ///< in the recording, of those that show no face
 };
@@ -143,8 +144,8 @@ Result<ReadFrames> read_frames(RecordedVideo& video, const NumberedRecording& nu
   const RecordingFrameReader frame = [&](std::size_t number) {
     return number < recorded ? video.frame(number) : earlier->frame(number - recorded);
   };
-  const auto read = read_recorded_faces({frame, all, video.file, table}, video.finger, video.camera,
-                                        most_bytes, job);
+  auto read = read_recorded_faces({frame, all, video.file, table, video.pass.edges}, video.finger,
+                                  video.camera, most_bytes, job);
   if (!read) return read.error();
   const std::vector<int> missing = numbered.positions ? std::vector<int>{} : numbered.missing;
   const auto model = MarkerModel::learn(table.layouts, table.typical, missing);
@@ -173,6 +174,7 @@ Result<ReadFrames> read_frames(RecordedVideo& video, const NumberedRecording& nu
     if (!std::binary_search(read->seen.begin(), read->seen.end(), static_cast<Eigen::Index>(row)))
       result.faceless.push_back(selected[row]);
   rows.patches = skin_patches(read->grid, read->faces, video.finger.face.width_mm);
+  result.faces = std::move(*read);
   return result;
 }
 
@@ -305,14 +307,16 @@ Error refuse(const PersistentContact& touch, const std::vector<std::size_t>& num
 }
 
 /// Reduces `selected` (numbers in the recording) to frames that show a face and have no certain or
-/// doubtful contact, or are chosen explicitly. Fills the report's stretches and counts. Frames are
-/// compared with others of near pose in the recording; the earlier reference reveals a persistent
-/// contact (contact_search.h). Errors: stopped; a contact at one position in most frames.
-Status exclude_contacts(RecordedVideo& video, const NumberedRecording& numbered,
-                        std::optional<EarlierReference>& earlier, const ReferenceChoices& choices,
-                        const Job& job, std::vector<std::size_t>& selected,
-                        ReferenceReport& report) {
-  const auto read = read_frames(video, numbered, earlier, selected, job);
+/// doubtful contact, or are chosen explicitly, and returns their faces. Fills the report's
+/// stretches and counts. Frames are compared with others of near pose in the recording; the earlier
+/// reference reveals a persistent contact (contact_search.h). Errors: stopped; a contact at one
+/// position in most frames.
+Result<RecordedFaces> exclude_contacts(RecordedVideo& video, const NumberedRecording& numbered,
+                                       std::optional<EarlierReference>& earlier,
+                                       const ReferenceChoices& choices, const Job& job,
+                                       std::vector<std::size_t>& selected,
+                                       ReferenceReport& report) {
+  auto read = read_frames(video, numbered, earlier, selected, job);
   if (!read) return read.error();
   const std::vector<std::size_t>& numbers = read->numbers;
   for (const std::size_t number : read->faceless)
@@ -330,13 +334,17 @@ Status exclude_contacts(RecordedVideo& video, const NumberedRecording& numbered,
     leave_all_in(numbers.size(), report);
   else
     warn_of_unexplained(evidence, report);
-  selected.clear();
-  for (std::size_t i = 0; i < numbers.size(); ++i)
-    if (is_unsure || !is_suspect(evidence[i]) || is_in(choices.keep, numbers[i]))
-      selected.push_back(numbers[i]);
-    else
+  std::vector<std::size_t> untouched, rows;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (!is_unsure && is_suspect(evidence[i]) && !is_in(choices.keep, numbers[i])) {
       report.uses[numbers[i]] = FrameUse::kInContact;
-  return {};
+      continue;
+    }
+    untouched.push_back(numbers[i]);
+    rows.push_back(read->faces.retained[i]);
+  }
+  selected = std::move(untouched);
+  return faces_of_rows(std::move(read->faces), rows);
 }
 
 constexpr double kTouchRadiusMm = 3.0;  // of the circle that is drawn
@@ -546,17 +554,20 @@ Status study(const fs::path& file, const RecordingPass& pass, const Camera& came
              MadeReference& made) {
   auto reader = VideoFile::open(file, job);
   if (!reader) return reader.error();
-  const double frames_per_s = reader->frames_per_s();
   RecordedVideo video{pass, file, finger, camera, std::move(*reader)};
   ReferenceReport& report = made.report;
-  const Status left_out = exclude_contacts(video, made.numbered, earlier, choices,
-                                           Job(job, 0.0, 0.4), selected, report);
-  if (!left_out) return left_out;
+  auto faces = exclude_contacts(video, made.numbered, earlier, choices, Job(job, 0.0, 0.4),
+                                selected, report);
+  if (!faces) return faces.error();
   if (selected.size() < 2) return {};
   const MarkerTable table = table_in_video(pass, made.numbered, selected);
+  // A library has room for fewer faces than the search for contacts, and selects which.
   const RecordingFrameReader frame = [&](std::size_t number) { return video.frame(number); };
-  const auto library = ReferenceLibrary::from_frames({frame, pass.greys.size(), file, table},
-                                                     finger, camera, Job(job, 0.4, 0.6));
+  const auto library =
+      faces->bytes <= kRecordedFaces_bytes
+          ? ReferenceLibrary::from_faces(std::move(*faces), table, finger, camera, file)
+          : ReferenceLibrary::from_frames({frame, pass.greys.size(), file, table, pass.edges},
+                                          finger, camera, Job(job, 0.4, 0.6));
   if (!library) return library.error();
   std::vector<std::size_t> of_library;  // by the library's index, the number in the recording
   std::vector<Markers> markers;
@@ -567,8 +578,7 @@ Status study(const fs::path& file, const RecordingPass& pass, const Camera& came
     ++row;
   }
   selected = std::move(of_library);
-  const auto studied =
-      study_recording(*library, markers, frame, frames_per_s, finger, camera, Job(job, 0.6, 1.0));
+  const auto studied = study_recording(*library, markers, video, Job(job, 0.6, 1.0));
   if (!studied) return studied.error();
   std::vector<const StudiedFrame*> untouched;
   for (const StudiedFrame& one : studied->frames) untouched.push_back(&one);
@@ -580,7 +590,6 @@ Status study(const fs::path& file, const RecordingPass& pass, const Camera& came
              report.coverage);
   report.error_median = studied->error_median;
   report.error_p95 = studied->error_p95;
-  report.nearest_error_median = studied->nearest_error_median;
   report.by_own_mapping = finger.mapping.has_value();
   report.error_median_mm = report.error_median * mm_per_part(finger);
   report.error_p95_mm = report.error_p95 * mm_per_part(finger);

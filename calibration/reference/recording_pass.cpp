@@ -14,6 +14,8 @@
 #include <cmath>
 #include <future>
 #include <system_error>
+#include <tuple>
+#include <utility>
 
 #include <opencv2/imgproc.hpp>
 
@@ -46,14 +48,17 @@ class ReferenceVideo {
   std::optional<VideoWriter> writer_;
 };
 
-FrameDots analyse(const cv::Mat& grey, const Camera& camera, const Finger& finger) {
+/// Fills `edges` where they are found.
+FrameDots analyse(const cv::Mat& grey, const Camera& camera, const Finger& finger,
+                  FaceEdges& edges) {
   FrameDots found;
-  const auto edges = FaceEdgeFinder({.view = FaceView{camera, finger.face.width_mm}})(grey);
-  if (!edges) {
-    found.problem = edges.error().what;
+  auto traced = FaceEdgeFinder({.view = FaceView{camera, finger.face.width_mm}})(grey);
+  if (!traced) {
+    found.problem = traced.error().what;
     return found;
   }
-  const auto shape = FaceShape::fit(*edges, camera, finger.face, kDefaultProfileDegree);
+  edges = std::move(*traced);
+  const auto shape = FaceShape::fit(edges, camera, finger.face, kDefaultProfileDegree);
   if (!shape) {
     found.problem = shape.error().what;
     return found;
@@ -74,6 +79,7 @@ struct ReadFrame {
   FramePtr frame;  // null: unreadable, for the reason in `dots.problem`
   cv::Mat grey;    // oriented as the camera
   FrameDots dots;
+  FaceEdges edges;
 };
 
 /// Reads frames and writes them to the video, in order.
@@ -102,7 +108,7 @@ class RecordingCopy {
       ++count_;
       if (!frame) {
         if (fails_permanently()) return frame.error();
-        block.push_back({{}, {}, {{}, {}, {}, frame.error().what}});
+        block.push_back({{}, {}, {{}, {}, {}, frame.error().what}, {}});
         continue;
       }
       is_any_readable_ = true;
@@ -112,7 +118,7 @@ class RecordingCopy {
                                en::say("a recording from this finger's camera, or the right "
                                        "camera.size and orientation"));
       if (!grey) return grey.error();
-      block.push_back({std::move(*frame), std::move(*grey), {}});
+      block.push_back({std::move(*frame), std::move(*grey), {}, {}});
     }
     return block;
   }
@@ -154,6 +160,7 @@ void add_to(RecordingPass& pass, ReadFrame& read, std::size_t& cached_bytes) {
   if (!read.frame) return;
   ++pass.written;
   pass.settings.add(*read.frame);
+  pass.edges.push_back(std::move(read.edges));
   const std::size_t bytes = read.grey.total();
   const bool has_room = cached_bytes + bytes <= kMaxCachedBytes;
   pass.greys.push_back(has_room ? read.grey : cv::Mat());
@@ -175,17 +182,17 @@ Result<RecordingPass> read_recording(Source& source, const Camera& camera, const
       if (const Status written = copy.write(*block); !written) return written.error();
       return copy.read();
     });
-    std::vector<FrameDots> dots(block->size());
+    std::vector<std::pair<FrameDots, FaceEdges>> found(block->size());
     parallel_for(static_cast<int>(block->size()), default_threads(), [&](int first, int end) {
       for (int k = first; k < end; ++k) {
         const auto i = static_cast<std::size_t>(k);
         if (const ReadFrame& read = (*block)[i]; read.frame)
-          dots[i] = analyse(read.grey, camera, finger);
+          found[i].first = analyse(read.grey, camera, finger, found[i].second);
       }
     });
     auto following = next.get();
     for (std::size_t i = 0; i < block->size(); ++i) {
-      if ((*block)[i].frame) (*block)[i].dots = std::move(dots[i]);
+      if ((*block)[i].frame) std::tie((*block)[i].dots, (*block)[i].edges) = std::move(found[i]);
       add_to(pass, (*block)[i], cached_bytes);
     }
     block = std::move(following);
@@ -254,68 +261,47 @@ Result<cv::Mat> RecordedVideo::frame(std::size_t number) {
 
 namespace {
 
-constexpr int kStudyDegree = 7;
 constexpr double kPatchMm = 1.5;  // a side
 constexpr double kMaxSeconds = 2.0;
 constexpr double kMaxFraction = 0.125;
-constexpr std::size_t kMaxCompared = 240;  // frames: twelve are above the 95th percentile
+constexpr std::size_t kMaxCompared = 120;  // frames: six are above the 95th percentile
 constexpr double kRimPx = 4.0;  // next to the face's edges a shift of a tenth of a pixel is visible
 
-struct AnalysedFrame {
-  cv::Mat grey;
-  FaceShape shape;
-  double noise_sd;
-};
-
-std::optional<AnalysedFrame> analyse_frame(const cv::Mat& grey, const Camera& camera,
-                                           const Finger& finger) {
-  const auto edges = FaceEdgeFinder({.view = FaceView{camera, finger.face.width_mm}})(grey);
-  if (!edges) return std::nullopt;
-  auto shape = FaceShape::fit(*edges, camera, finger.face, kStudyDegree);
-  if (!shape) return std::nullopt;
-  return AnalysedFrame{grey, std::move(shape).value(), edges->noise_sd};
-}
-
-/// Means of the valid part of an image over squares.
-class Means {
- public:
-  explicit Means(const cv::Mat& x) : known_(measured_pixels(x)) {
-    known_.convertTo(weight_, CV_32FC1, 1.0 / 255.0);
-    filled_ = x.clone();
-    filled_.setTo(0.0F, ~known_);
-  }
-  /// NaN where less than half of the square is known, or the middle is not.
-  [[nodiscard]] cv::Mat over(int side) const {
-    cv::Mat sum, weight;
-    cv::boxFilter(filled_, sum, CV_32F, {side, side}, {-1, -1}, true, cv::BORDER_CONSTANT);
-    cv::boxFilter(weight_, weight, CV_32F, {side, side}, {-1, -1}, true, cv::BORDER_CONSTANT);
-    cv::Mat mean = sum / weight;
-    mean.setTo(std::numeric_limits<float>::quiet_NaN(), (weight < 0.25F) | ~known_);
-    return mean;
-  }
-
- private:
-  cv::Mat known_, weight_, filled_;
-};
-
-/// Difference of the face from the reference in patches around every pixel.
+/// Difference of the face from the reference in patches around every kPatchStepPx-th pixel.
 struct Patches {
   cv::Mat mean;
   double noise;  ///< sd of a patch's mean by noise alone
 };
 
+constexpr int kPatchStepPx = 4;
+
+/// Means of the valid part of an image over squares of `side` steps; NaN where less than half of
+/// the square is known, or less than half of the step in its middle.
+cv::Mat patch_means(const cv::Mat& x, int side) {
+  const cv::Mat known = measured_pixels(x);
+  cv::Mat weight, filled = x.clone();
+  known.convertTo(weight, CV_32FC1, 1.0 / 255.0);
+  filled.setTo(0.0F, ~known);
+  constexpr double kStep = 1.0 / kPatchStepPx;
+  cv::resize(filled, filled, {}, kStep, kStep, cv::INTER_AREA);
+  cv::resize(weight, weight, {}, kStep, kStep, cv::INTER_AREA);
+  const cv::Mat is_off = weight < 0.5F;
+  cv::boxFilter(filled, filled, CV_32F, {side, side}, {-1, -1}, true, cv::BORDER_CONSTANT);
+  cv::boxFilter(weight, weight, CV_32F, {side, side}, {-1, -1}, true, cv::BORDER_CONSTANT);
+  cv::Mat mean = filled / weight;
+  mean.setTo(std::numeric_limits<float>::quiet_NaN(), (weight < 0.5F) | is_off);
+  return mean;
+}
+
 Patches patches_of(const Difference& difference, const FaceShape& shape, double grey_level) {
   std::vector<double> z;
   for (const FaceColumn& column : shape.columns())
     if (column.valid) z.push_back(column.z_mm);
-  const int side =
-      std::max(3, static_cast<int>(kPatchMm / shape.camera().mm_per_px_at(upper_median(z))));
-  const Means means(difference.x);
-  Patches patches;
-  patches.mean = means.over(side);
+  const double side_px = kPatchMm / shape.camera().mm_per_px_at(upper_median(z));
+  const int side = std::max(1, static_cast<int>(std::lround(side_px / kPatchStepPx)));
   // Smoothing has already averaged over neighbours; a patch is wider than that.
-  patches.noise = difference.grey_sd * 2.0 * std::sqrt(M_PI) / (side * grey_level);
-  return patches;
+  return {patch_means(difference.x, side),
+          difference.grey_sd * 2.0 * std::sqrt(M_PI) / (kPatchStepPx * side * grey_level)};
 }
 
 class Study {
@@ -327,55 +313,55 @@ class Study {
     apart_ = (library.frame_count() + kMaxCompared - 1) / kMaxCompared;
   }
 
-  [[nodiscard]] StudiedFrame frame(std::size_t index, const AnalysedFrame& analysed) const {
+  [[nodiscard]] bool is_compared(std::size_t index) const { return index % apart_ == 0; }
+
+  /// grey: empty for a frame that is not compared.
+  [[nodiscard]] StudiedFrame frame(std::size_t index, const FaceShape& shape, const cv::Mat& grey,
+                                   double noise_sd) const {
     StudiedFrame studied;
     studied.number = library_.frame_numbers()[index];
     const Markers& markers = numbered_[index];
     for (std::size_t pair = 0; pair < markers.size() / 2; ++pair)
-      studied.pairs.push_back(tip_pose(markers, pair, analysed.shape));
-    if (!is_compared(index)) return studied;
+      studied.pairs.push_back(tip_pose(markers, pair, shape));
+    if (grey.empty()) return studied;
     std::vector<char> without(library_.frame_count(), 0);
     const std::size_t first = index > gap_ ? index - gap_ : 0;
     for (std::size_t i = first; i <= index + gap_ && i < without.size(); ++i) without[i] = 1;
     if (std::count(without.begin(), without.end(), 0) < 2) return studied;
-    const auto local = compare(index, analysed, ReferenceMethod::kLocal, without);
-    if (!local) return studied;
+    const auto patches = compare(index, shape, grey, noise_sd, without);
+    if (!patches) return studied;
     studied.compared = true;
-    studied.error = mean_error(*local);
-    if (const auto nearest = compare(index, analysed, ReferenceMethod::kNearest, without))
-      studied.nearest_error = mean_error(*nearest);
+    studied.error = mean_error(*patches);
     return studied;
   }
 
  private:
-  [[nodiscard]] std::optional<Patches> compare(std::size_t index, const AnalysedFrame& analysed,
-                                               ReferenceMethod method,
+  [[nodiscard]] std::optional<Patches> compare(std::size_t index, const FaceShape& shape,
+                                               const cv::Mat& grey, double noise_sd,
                                                const std::vector<char>& without) const {
     const Reference reference =
-        library_.reference_for(numbered_[index], analysed.shape, method, without);
+        library_.reference_for(numbered_[index], shape, ReferenceMethod::kLocal, without);
     // Outside the others' poses the reference is extrapolated and does not count.
     if (!reference.known_pose || reference.noise_gain > 1.0) return std::nullopt;
     DifferenceOptions options;
     options.edge_margin_px = kRimPx;
-    options.noise_sd = analysed.noise_sd;
+    options.noise_sd = noise_sd;
     options.correct_light = true;
-    const Difference compared = difference(analysed.grey, reference, analysed.shape, options);
+    const Difference compared = difference(grey, reference, shape, options);
     if (compared.face.runs.empty()) return std::nullopt;
-    return patches_of(compared, analysed.shape, mean_brightness(analysed.grey, compared.face));
+    return patches_of(compared, shape, mean_brightness(grey, compared.face));
   }
 
   static double mean_error(const Patches& patches) {
     double square = 0, count = 0;
-    for (int v = 0; v < patches.mean.rows; v += 4)
-      for (int u = 0; u < patches.mean.cols; u += 4)
+    for (int v = 0; v < patches.mean.rows; ++v)
+      for (int u = 0; u < patches.mean.cols; ++u)
         if (const float x = patches.mean.at<float>(v, u); std::isfinite(x))
           square += static_cast<double>(x) * x, ++count;
     if (count == 0) return 0;
     // Of a normal distribution the mean magnitude is 0.8 of the standard deviation.
     return 0.8 * std::sqrt(std::max(0.0, square / count - patches.noise * patches.noise));
   }
-
-  [[nodiscard]] bool is_compared(std::size_t index) const { return index % apart_ == 0; }
 
   const ReferenceLibrary& library_;
   const std::vector<Markers>& numbered_;
@@ -393,11 +379,10 @@ double quantile_of(std::vector<double> values, double part) {
 }  // namespace
 
 Result<RecordingStudy> study_recording(const ReferenceLibrary& library,
-                                       const std::vector<Markers>& numbered,
-                                       const RecordingFrameReader& frame, double frames_per_s,
-                                       const Finger& finger, const Camera& camera, const Job& job) {
+                                       const std::vector<Markers>& numbered, RecordedVideo& video,
+                                       const Job& job) {
   const std::size_t count = library.frame_count();
-  const Study study(library, numbered, frames_per_s);
+  const Study study(library, numbered, video.reader.frames_per_s());
   RecordingStudy result;
   std::vector<cv::Mat> greys;
   for (std::size_t first = 0; first < count; first += kAtOnce) {
@@ -405,31 +390,32 @@ Result<RecordingStudy> study_recording(const ReferenceLibrary& library,
       return Error{en::say("stopped before the recording was compared"), "", ""};
     job.report(static_cast<double>(first) / static_cast<double>(count),
                en::say("comparing frame {} of {}", first + 1, count));
-    greys.clear();
-    for (std::size_t i = first; i < std::min(first + kAtOnce, count); ++i) {
-      auto grey = frame(static_cast<std::size_t>(library.frame_numbers()[i]));
+    greys.assign(std::min(kAtOnce, count - first), cv::Mat());
+    for (std::size_t k = 0; k < greys.size(); ++k) {
+      if (!study.is_compared(first + k)) continue;
+      auto grey = video.frame(static_cast<std::size_t>(library.frame_numbers()[first + k]));
       if (!grey) return grey.error();
-      greys.push_back(std::move(*grey));
+      greys[k] = std::move(*grey);
     }
     result.frames.resize(first + greys.size());
     parallel_for(static_cast<int>(greys.size()), default_threads(), [&](int from, int to) {
       for (int k = from; k < to; ++k) {
         const std::size_t i = first + static_cast<std::size_t>(k);
-        result.frames[i].number = library.frame_numbers()[i];
-        if (const auto analysed = analyse_frame(greys[static_cast<std::size_t>(k)], camera, finger))
-          result.frames[i] = study.frame(i, *analysed);
+        StudiedFrame& studied = result.frames[i];
+        studied.number = library.frame_numbers()[i];
+        const FaceEdges& edges = video.pass.edges[static_cast<std::size_t>(studied.number)];
+        const auto shape =
+            FaceShape::fit(edges, video.camera, video.finger.face, kDefaultProfileDegree);
+        if (shape)
+          studied = study.frame(i, *shape, greys[static_cast<std::size_t>(k)], edges.noise_sd);
       }
     });
   }
-  std::vector<double> errors, nearest;
-  for (std::size_t i = 0; i < count; ++i) {
-    if (!result.frames[i].compared) continue;
-    errors.push_back(result.frames[i].error);
-    nearest.push_back(result.frames[i].nearest_error);
-  }
+  std::vector<double> errors;
+  for (const StudiedFrame& studied : result.frames)
+    if (studied.compared) errors.push_back(studied.error);
   result.error_median = quantile_of(errors, 0.5);
   result.error_p95 = quantile_of(errors, 0.95);
-  result.nearest_error_median = quantile_of(nearest, 0.5);
   return result;
 }
 

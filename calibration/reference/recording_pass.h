@@ -8,6 +8,7 @@
 #include "core/base/result.h"
 #include "core/image/frame.h"
 #include "core/recording/video_file.h"
+#include "core/sensing/face/face_edges.h"
 #include "core/sensing/reference/marker_table.h"
 #include "core/sensing/reference/reference_library.h"
 #include "core/sources/source.h"
@@ -29,6 +30,7 @@ struct RecordingPass {
   /// By number in the video, the oriented images, so that they need not be decoded again; empty
   /// beyond the first 128 MB.
   std::vector<cv::Mat> greys;
+  std::vector<FaceEdges> edges;  ///< by number in the video; without columns: no face was found
   SettingsMonitor settings;
 };
 
@@ -76,7 +78,6 @@ struct StudiedFrame {
   int number = 0;         ///< in the video
   bool compared = false;  ///< false: not chosen, no face was found, or no other frame is near
   double error = 0;       ///< mean |x| over the face in patches of a millimetre or so, minus noise
-  double nearest_error = 0;                   ///< the same with the nearest frame alone
   std::vector<std::optional<TipPose>> pairs;  ///< by pair of dots, from base to tip
 };
 
@@ -84,18 +85,15 @@ struct RecordingStudy {
   std::vector<StudiedFrame> frames;  ///< by the library's index
   /// Brightness error of references from this recording, as fractions of the brightness.
   double error_median = 0, error_p95 = 0;
-  double nearest_error_median = 0;
 };
 
-/// Compares frames, at most 240 spread over the recording, with the local regression over the
+/// Compares frames, at most 120 spread over the recording, with the local regression over the
 /// others. Those taken shortly before and after show the same pose and are left out (an eighth of
 /// the recording, at most two seconds). The frames must be untouched (contact_search.h).
 /// `numbered`: the markers of the library's frames, by index. Errors: a stopped job; a frame that
 /// cannot be read.
 [[nodiscard]] Result<RecordingStudy> study_recording(const ReferenceLibrary& library,
                                                      const std::vector<Markers>& numbered,
-                                                     const RecordingFrameReader& frame,
-                                                     double frames_per_s, const Finger& finger,
-                                                     const Camera& camera, const Job& job);
+                                                     RecordedVideo& video, const Job& job);
 
 }  // namespace alltact

@@ -60,7 +60,6 @@ struct ReferenceReport {
   double error_median = 0, error_p95 = 0;
   double error_median_mm = 0, error_p95_mm = 0;
   bool by_own_mapping = false;
-  double nearest_error_median = 0;  ///< the same for the nearest frame alone
   MotionCoverage coverage{MotionNeed{}};
   std::vector<int> missing;  ///< numbers of markers that the finger does not have, ascending
   bool by_shape = false;     ///< poses come from positions on the face, because it has no markers

@@ -8,6 +8,7 @@
 #include "core/sensing/face/face_edges.h"
 #include "core/sensing/face/face_shape.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <fstream>
@@ -129,8 +130,9 @@ class FaceAnalyser {
     read.seen.push_back(static_cast<Eigen::Index>(row));
     read.edges.push_back(edge_curves(analysed.shape));
     read.charts.push_back(std::move(analysed.chart));
-    if (row % (table_.frames.size() / kMaxPoses + 1) == 0)
-      read.poses.push_back({markers(row), std::move(analysed.shape)});
+    if (row % (table_.frames.size() / kMaxPoses + 1) != 0) return;
+    read.poses.push_back({markers(row), std::move(analysed.shape)});
+    read.posed.push_back(static_cast<Eigen::Index>(row));
   }
 
  private:
@@ -174,6 +176,7 @@ class Reader {
   Result<RecordedFaces> operator()(std::size_t limit_bytes, const Job& job) const {
     RecordedFaces read;
     const auto face_of = [&](std::size_t row) -> Result<std::optional<AnalysedFace>> {
+      if (const FaceEdges* known = known_edges(row)) return analyser_.analyse(*known);
       const auto grey = image(row);
       if (!grey) return grey.error();
       const auto edges = finder_(*grey);
@@ -244,11 +247,18 @@ class Reader {
     if (!grey) return wrong(grey.error().what);
     return grey;
   }
+  [[nodiscard]] const FaceEdges* known_edges(std::size_t row) const {
+    return frames_.known_edges(static_cast<std::size_t>(frames_.table.frames[row]));
+  }
   /// Warps a row's face to the grid; no `analysed` face where none is found.
   void analyse(const RecordedFaces& read, Row& row) const {
-    auto edges = finder_(row.grey);
-    if (!edges) return;
-    row.edges = std::move(*edges);
+    if (const FaceEdges* known = known_edges(row.number)) {
+      row.edges = *known;
+    } else {
+      auto edges = finder_(row.grey);
+      if (!edges) return;
+      row.edges = std::move(*edges);
+    }
     row.analysed = analyser_.analyse(row.edges);
     if (row.analysed && !analyser_.register_face(read, row.number, *row.analysed))
       row.analysed.reset();
@@ -328,6 +338,36 @@ Result<RecordedFaces> read_recorded_faces(const RecordingInput& frames, const Fi
     return Error{en::say("the recording cannot be read ({})", std::string(problem.what())),
                  frames.video.string(), en::say("create the reference again from the recording")};
   }
+}
+
+RecordedFaces faces_of_rows(RecordedFaces faces, const std::vector<std::size_t>& rows) {
+  // The new number of a row; nullopt: it is left out.
+  const auto number_of = [&](std::size_t row) -> std::optional<std::size_t> {
+    const auto found = std::lower_bound(rows.begin(), rows.end(), row);
+    if (found == rows.end() || *found != row) return std::nullopt;
+    return static_cast<std::size_t>(found - rows.begin());
+  };
+  RecordedFaces some;
+  some.grid = std::move(faces.grid);
+  some.positions = std::move(faces.positions);
+  for (std::size_t i = 0; i < faces.retained.size(); ++i)
+    if (const auto number = number_of(faces.retained[i])) {
+      some.retained.push_back(*number);
+      some.bytes += faces.faces[i].bytes();
+      some.faces.push_back(std::move(faces.faces[i]));
+    }
+  for (std::size_t i = 0; i < faces.seen.size(); ++i)
+    if (const auto number = number_of(static_cast<std::size_t>(faces.seen[i]))) {
+      some.seen.push_back(static_cast<Eigen::Index>(*number));
+      some.edges.push_back(std::move(faces.edges[i]));
+      some.charts.push_back(std::move(faces.charts[i]));
+    }
+  for (std::size_t i = 0; i < faces.posed.size(); ++i)
+    if (const auto number = number_of(static_cast<std::size_t>(faces.posed[i]))) {
+      some.posed.push_back(static_cast<Eigen::Index>(*number));
+      some.poses.push_back(std::move(faces.poses[i]));
+    }
+  return some;
 }
 
 std::optional<RecordedFaces> recorded_faces_from_cache(FaceCache cache, const MarkerTable& table,

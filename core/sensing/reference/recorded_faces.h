@@ -15,6 +15,7 @@
 #include <functional>
 #include <istream>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -74,6 +75,14 @@ struct RecordingInput {
   std::size_t count;                   ///< of the video's frames
   const std::filesystem::path& video;  ///< for messages: where the frames come from
   const MarkerTable& table;
+  /// Edges of the faces in the first frames, by number in the video, where they are known already;
+  /// without columns: not known.
+  std::span<const FaceEdges> edges = {};
+
+  /// nullptr where the edges of that frame are not known.
+  [[nodiscard]] const FaceEdges* known_edges(std::size_t number) const {
+    return number < edges.size() && !edges[number].u.empty() ? &edges[number] : nullptr;
+  }
 };
 
 struct RecordedFaces {
@@ -87,8 +96,10 @@ struct RecordedFaces {
   std::vector<Eigen::Index> seen;  ///< rows in which the face was found, whether retained or not
   std::vector<EdgeCurves> edges;   ///< of these
   std::vector<FaceChart> charts;   ///< of these, registered to the rest frame's
-  /// Of some of these, spread over the recording, from which the finger's twist is learnt.
+  /// Of some of these, spread over the recording, from which the finger's twist is learnt, and
+  /// their rows.
   std::vector<TwistModel::Pose> poses;
+  std::vector<Eigen::Index> posed;
   /// Edges of the faces in `seen`, for the cache. Empty for more than kMaxCachedFrames frames, and
   /// for faces from the cache.
   std::vector<FoundFace> found;
@@ -101,8 +112,13 @@ struct RecordedFaces {
                                                         const Finger& finger, const Camera& camera,
                                                         std::size_t limit_bytes, const Job& job);
 
-/// The same from the cache, without images; nullopt where the cache does not fit the table and the
-/// camera.
+/// Those of some rows of the marker table, ascending, renumbered from 0 on, on the same grid. Not
+/// for the cache: `found` is empty.
+[[nodiscard]] RecordedFaces faces_of_rows(RecordedFaces faces,
+                                          const std::vector<std::size_t>& rows);
+
+/// What read_recorded_faces() returned, from the cache, without images; nullopt where the cache
+/// does not fit the table and the camera.
 [[nodiscard]] std::optional<RecordedFaces> recorded_faces_from_cache(FaceCache cache,
                                                                      const MarkerTable& table,
                                                                      const Finger& finger,

@@ -364,6 +364,17 @@ Result<ReferenceLibrary> ReferenceLibrary::from_frames(const RecordingInput& fra
   return ReferenceLibrary(std::move(*content));
 }
 
+Result<ReferenceLibrary> ReferenceLibrary::from_faces(RecordedFaces faces, const MarkerTable& table,
+                                                      const Finger& finger, const Camera& camera,
+                                                      const std::filesystem::path& video) {
+  auto model = learn_model(table, finger, video);
+  if (!model) return model.error();
+  auto content =
+      std::make_shared<Content>(std::move(*model), std::move(faces), table, finger, camera);
+  content->analyse_faces();
+  return ReferenceLibrary(std::move(content));
+}
+
 Result<ReferenceLibrary> ReferenceLibrary::single(const cv::Mat& grey) {
   if (grey.empty() || grey.type() != CV_8UC1)
     return Error{en::say("the reference image is not an 8-bit grey image"), en::say("reference"),

@@ -47,6 +47,11 @@ class ReferenceLibrary {
       const RecordingInput& frames, const Finger& finger, const Camera& camera, const Job& job,
       std::size_t memory_limit_bytes = kRecordedFaces_bytes);
 
+  /// The same from faces that were read before. table: of their rows. video: for messages.
+  static Result<ReferenceLibrary> from_faces(RecordedFaces faces, const MarkerTable& table,
+                                             const Finger& finger, const Camera& camera,
+                                             const std::filesystem::path& video);
+
   /// The one reference image of a flat sensor.
   static Result<ReferenceLibrary> single(const cv::Mat& grey);
 

@@ -173,6 +173,38 @@ TEST(FaceEdges, WhatGlimmersBeyondTheTipIsNoPartOfTheFace) {
   }
 }
 
+// Little light arrives at a tip: the face is hardly brighter than the sides there, and both darken.
+TEST(FaceEdges, AreFollowedToADarkTip) {
+  Errors at_tip;
+  for (unsigned run = 0; run < 12; ++run) {
+    SyntheticFace face;
+    face.upper = [](double u) { return 120 + 0.12 * u; };
+    face.lower = [](double u) { return 420 - 0.12 * u; };
+    face.last_u = 900, face.beside = 12, face.noise_sd = 1.5, face.blur_px = 0.1 * run;
+    face.bright = [&](double u) {
+      return face.beside + 3.5 + 0.01 * (900 - u) + 0.1 * std::max(0.0, 700 - u);
+    };
+    cv::Mat image = face.draw(run);
+    for (int u = 0; u < 900; ++u) image.col(u) += cv::Scalar(std::floor(0.11 * (900 - u) + 0.5));
+    const auto edges = FaceEdgeFinder()(image);
+    ASSERT_TRUE(edges.ok()) << "run " << run;
+    for (std::size_t i = 0; i < edges->u.size(); ++i) {
+      const double u = edges->u[i];
+      if (u < 800 || u > 890) continue;
+      at_tip.count += 2;
+      for (const auto& [edge, truth] :
+           {std::pair{&edges->upper, &face.upper}, {&edges->lower, &face.lower}}) {
+        if (!edge->valid[i]) continue;
+        ++at_tip.valid;
+        at_tip.rms += std::pow(edge->v[i] - (*truth)(u), 2);
+      }
+    }
+  }
+  at_tip.rms = std::sqrt(at_tip.rms / std::max(1, at_tip.valid));
+  EXPECT_GT(at_tip.valid, 0.7 * at_tip.count) << at_tip.count;
+  EXPECT_LT(at_tip.rms, 0.8);
+}
+
 TEST(FaceEdges, IntegerStepIsThePapersFloor) {
   std::mt19937 engine(6);
   const SyntheticFace face = random_face(engine);

@@ -143,5 +143,30 @@ TEST(FaceEnds, ThatLeanAreFoundSo) {
   EXPECT_NEAR(edges->ends.last->at(270), end, 0.2);
 }
 
+// A tip that leaves the picture shows a corner of the dark beyond it.
+TEST(FaceEnds, ThatLeaveThePictureAreFoundByWhatIsInIt) {
+  std::mt19937 engine(37);
+  for (unsigned run = 0; run < 8; ++run) {
+    SyntheticFace face = face_with_ends(engine);
+    face.upper = [](double) { return 150.0; };
+    face.lower = [](double) { return 390.0; };
+    face.last_u = 2000;
+    cv::Mat image = face.draw(run);
+    const auto end = [](double v) { return 958.0 - 0.08 * (v - 270); };
+    for (int v = 150; v < 390; ++v)
+      for (int u = 900; u < image.cols; ++u) {
+        const double covered = std::clamp(end(v) - (u - 0.5), 0.0, 1.0);
+        const double on = image.at<std::uint8_t>(v, u);
+        image.at<std::uint8_t>(v, u) =
+            static_cast<std::uint8_t>(std::lround(face.beside + covered * (on - face.beside)));
+      }
+    const auto edges = FaceEdgeFinder()(image);
+    ASSERT_TRUE(edges.ok());
+    ASSERT_TRUE(edges->ends.last) << "run " << run;
+    EXPECT_NEAR(edges->ends.last->at(360), end(360), 0.4) << "run " << run;
+    EXPECT_NEAR(edges->ends.last->slope, -0.08, 0.02) << "run " << run;
+  }
+}
+
 }  // namespace
 }  // namespace alltact
