@@ -2296,6 +2296,10 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>&amp;Close the recording</source>
         <translation>Aufnahme s&amp;chließen</translation>
     </message>
+    <message>
+        <source>%1, %2 mm rms off</source>
+        <translation>%1, Abstand %2 mm rms</translation>
+    </message>
 </context>
 <context>
     <name>alltact::InspectSide</name>
@@ -6420,10 +6424,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>einem anderen Bild</translation>
     </message>
     <message>
-        <source>The paper&apos;s formulas or another setting measure the same frame again. With another frame, the same positions on the face are compared.</source>
-        <translation>Die Formeln der Quellarbeit oder eine andere Einstellung messen dasselbe Bild erneut. Mit einem anderen Bild werden dieselben Positionen der Fläche verglichen.</translation>
-    </message>
-    <message>
         <source> mm</source>
         <translation> mm</translation>
     </message>
@@ -6486,6 +6486,42 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>Untouched face</source>
         <translation>Unberührte Fläche</translation>
+    </message>
+    <message>
+        <source>another recording</source>
+        <translation>einer anderen Aufnahme</translation>
+    </message>
+    <message>
+        <source>a body (STL, OBJ)</source>
+        <translation>einem Körper (STL, OBJ)</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s formulas or another setting measure the same frame again. With another frame or recording, the same positions on the face are compared. A body is turned and shifted until it fits the deeper part of the largest contact; the difference shows where the skin does not follow it.</source>
+        <translation>Die Formeln der Quellarbeit oder eine andere Einstellung messen dasselbe Bild erneut. Mit einem anderen Bild oder einer anderen Aufnahme werden dieselben Positionen der Fläche verglichen. Ein Körper wird gedreht und verschoben, bis er zum tieferen Teil des größten Kontakts passt; die Differenz zeigt, wo die Haut ihm nicht folgt.</translation>
+    </message>
+    <message>
+        <source>frame %1 of %2</source>
+        <translation>Bild %1 von %2</translation>
+    </message>
+    <message>
+        <source>F&amp;ile</source>
+        <translation>Date&amp;i</translation>
+    </message>
+    <message>
+        <source>Choose another file. An image stands for all the images in its folder.</source>
+        <translation>Eine andere Datei wählen. Ein Bild steht für alle Bilder in seinem Ordner.</translation>
+    </message>
+    <message>
+        <source>Body to compare with, in mm</source>
+        <translation>Körper zum Vergleich, in mm</translation>
+    </message>
+    <message>
+        <source>Meshes (*.stl *.obj)</source>
+        <translation>Netze (*.stl *.obj)</translation>
+    </message>
+    <message>
+        <source>Recording to compare with</source>
+        <translation>Aufnahme zum Vergleich</translation>
     </message>
 </context>
 <context>
@@ -15616,6 +15652,22 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>the visible part of the contact face is not indented</source>
         <translation>der sichtbare Teil der Kontaktfläche ist nicht eingedrückt</translation>
+    </message>
+    <message>
+        <source>too little of the face is pressed in to find the body&apos;s pose</source>
+        <translation>für die Lage des Körpers ist zu wenig von der Fläche eingedrückt</translation>
+    </message>
+    <message>
+        <source>a frame with a deeper or wider contact</source>
+        <translation>ein Bild mit einem tieferen oder breiteren Kontakt</translation>
+    </message>
+    <message>
+        <source>a mesh of the body that presses, in millimetres</source>
+        <translation>ein Netz des drückenden Körpers, in Millimetern</translation>
+    </message>
+    <message>
+        <source>stopped before the body was compared</source>
+        <translation>angehalten, bevor der Körper verglichen wurde</translation>
     </message>
 </context>
 </TS>

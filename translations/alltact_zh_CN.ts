@@ -2280,6 +2280,10 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>&amp;Close the recording</source>
         <translation>关闭录像(&amp;C)</translation>
     </message>
+    <message>
+        <source>%1, %2 mm rms off</source>
+        <translation>%1，偏差 %2 mm（均方根）</translation>
+    </message>
 </context>
 <context>
     <name>alltact::InspectSide</name>
@@ -6372,10 +6376,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>另一帧</translation>
     </message>
     <message>
-        <source>The paper&apos;s formulas or another setting measure the same frame again. With another frame, the same positions on the face are compared.</source>
-        <translation>用原论文的公式或另一种设置再次测量同一帧。与另一帧比较时，比较接触面上的相同位置。</translation>
-    </message>
-    <message>
         <source> mm</source>
         <translation> mm</translation>
     </message>
@@ -6438,6 +6438,42 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>Untouched face</source>
         <translation>未触碰的接触面</translation>
+    </message>
+    <message>
+        <source>another recording</source>
+        <translation>另一段录像</translation>
+    </message>
+    <message>
+        <source>a body (STL, OBJ)</source>
+        <translation>一个物体（STL、OBJ）</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s formulas or another setting measure the same frame again. With another frame or recording, the same positions on the face are compared. A body is turned and shifted until it fits the deeper part of the largest contact; the difference shows where the skin does not follow it.</source>
+        <translation>用原论文的公式或另一种设置再次测量同一帧。与另一帧或另一段录像比较时，比较接触面上的相同位置。物体会被旋转和平移，直到与最大接触的较深部分吻合；差值显示皮肤在何处不贴合它。</translation>
+    </message>
+    <message>
+        <source>frame %1 of %2</source>
+        <translation>%2 的第 %1 帧</translation>
+    </message>
+    <message>
+        <source>F&amp;ile</source>
+        <translation>文件(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Choose another file. An image stands for all the images in its folder.</source>
+        <translation>选择另一个文件。一张图像代表其文件夹中的所有图像。</translation>
+    </message>
+    <message>
+        <source>Body to compare with, in mm</source>
+        <translation>用于比较的物体（毫米）</translation>
+    </message>
+    <message>
+        <source>Meshes (*.stl *.obj)</source>
+        <translation>网格 (*.stl *.obj)</translation>
+    </message>
+    <message>
+        <source>Recording to compare with</source>
+        <translation>用于比较的录像</translation>
     </message>
 </context>
 <context>
@@ -15545,6 +15581,22 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>the visible part of the contact face is not indented</source>
         <translation>接触面的可见部分没有被压入</translation>
+    </message>
+    <message>
+        <source>too little of the face is pressed in to find the body&apos;s pose</source>
+        <translation>接触面被压入的部分太少，无法确定物体的位姿</translation>
+    </message>
+    <message>
+        <source>a frame with a deeper or wider contact</source>
+        <translation>一帧接触更深或更宽的图像</translation>
+    </message>
+    <message>
+        <source>a mesh of the body that presses, in millimetres</source>
+        <translation>压入物体的网格，单位为毫米</translation>
+    </message>
+    <message>
+        <source>stopped before the body was compared</source>
+        <translation>在比较物体之前已停止</translation>
     </message>
 </context>
 </TS>

@@ -67,7 +67,8 @@ using Numbers = std::vector<double>;
 const std::vector<std::string> kShownAs{"3d", "height_map"};
 const std::vector<std::string> kComparisons{"none", "side_by_side", "difference"};
 const std::vector<std::string> kStandpoints{"tilted", "camera", "outside", "side"};
-const std::vector<std::string> kComparands{"none", "paper", "setting", "frame"};
+const std::vector<std::string> kComparands{"none",  "paper",     "setting",
+                                           "frame", "recording", "body"};
 
 template <class E>
 std::string word_of(const std::vector<std::string>& words, E value) {
@@ -102,7 +103,9 @@ ComparisonSpec comparand_of(const Json& json) {
   with.setting = value_or(json, "setting", std::string());
   with.value = value_or(json, "value", std::string());
   with.frame = value_or(json, "frame", std::size_t{0});
-  const bool is_complete = with.method != OtherMethod::kSetting || !with.setting.empty();
+  with.file = value_or(json, "file", std::string());
+  const bool is_complete = (with.method != OtherMethod::kSetting || !with.setting.empty()) &&
+                           (!needs_file(with.method) || !with.file.empty());
   return is_complete ? with : ComparisonSpec{OtherMethod::kPaper};
 }
 
@@ -151,7 +154,8 @@ Json inspect_to_json(const InspectState& state) {
   json["with"] = {{"method", word_of(kComparands, options.with.method)},
                   {"setting", options.with.setting},
                   {"value", options.with.value},
-                  {"frame", options.with.frame}};
+                  {"frame", options.with.frame},
+                  {"file", options.with.file.string()}};
   json["body"] = options.scene.body;
   json["ruler"] = options.scene.ruler;
   json["untouched"] = options.scene.untouched;

@@ -2,6 +2,7 @@
 // depth without any ball, whatever the body's pose.
 #pragma once
 
+#include "calibration/joint/body_pose.h"
 #include "calibration/joint/mapping_curve.h"
 #include "calibration/presses/press.h"
 #include "core/base/job.h"
@@ -15,14 +16,6 @@
 #include <Eigen/Geometry>
 
 namespace alltact {
-
-class MeshDistance;
-
-/// The surface of a body around a point, to second order.
-struct BodyPatch {
-  Eigen::Vector3d point, outwards;  ///< mm; unit vector
-  Eigen::Matrix3d bend;             ///< derivative of `outwards` along the surface, 1/mm
-};
 
 /// The skin that rests on a body: pressed in deep enough, and away from the body's edges.
 struct BodySamples {

@@ -2,6 +2,8 @@
 
 #include "calibration/finger/measuring_presets.h"
 #include "calibration/finger/paper_pipeline.h"
+#include "calibration/live/body_comparison.h"
+#include "calibration/presses/press_bodies.h"
 #include "core/sensing/depth/depth_sd.h"
 #include "core/sensing/face/face_shape.h"
 #include "core/sensing/surface_measurement.h"
@@ -131,26 +133,68 @@ RecordingInfo FrameMeasurer::recording() const {
 }
 
 /// Uses the pipeline of all frames, and announces that others follow.
-Result<FrameResult> FrameMeasurer::measure_other_frame(std::size_t number) {
-  number = std::min(number, frames_->count() - 1);
-  if (!other_frame_ || other_number_ != number) {
-    const auto frame_read = frames_->frame(number);
-    if (!frame_read) return frame_read.error();
-    first_->forget();
-    auto result = (*first_)(*frame_read);
-    first_->forget();
-    last_.reset();
-    if (!result) return result.error();
-    other_number_ = number;
-    other_frame_ = std::move(*result);
+Result<FrameResult> FrameMeasurer::measure_other_frame(const ComparisonSpec& other,
+                                                       const Job& job) {
+  if (other_frame_ && other_frame_of_ == other) return *other_frame_;
+  other_frame_.reset();
+  RecordedFrames* frames = &*frames_;
+  if (other.method == OtherMethod::kRecording) {
+    if (!other_frames_ || other_input_ != other.file) {
+      auto opened = RecordedFrames::open(other.file, job);
+      if (!opened) return opened.error();
+      other_frames_ = std::move(*opened);
+      other_input_ = other.file;
+    }
+    frames = &*other_frames_;
   }
+  const auto frame_read = frames->frame(std::min(other.frame, frames->count() - 1));
+  if (!frame_read) return frame_read.error();
+  first_->forget();
+  auto result = (*first_)(*frame_read);
+  first_->forget();
+  last_.reset();
+  if (!result) return result.error();
+  other_frame_of_ = other;
+  other_frame_ = std::move(*result);
   return *other_frame_;
+}
+
+void FrameMeasurer::compare_with_body(MeasuredFrame& frame, const std::filesystem::path& file,
+                                      const Job& job) {
+  if (!frame.result.depth || !frame.result.shape) return;
+  if (!body_ || body_file_ != file) {
+    body_.reset();
+    auto loaded = load_body(file);
+    if (!loaded) {
+      frame.other_problem = loaded.error();
+      return;
+    }
+    body_ = std::move(*loaded);
+    body_file_ = file;
+  }
+  auto posed = pose_nominal(frame.result, frame.face, *body_->shape, job);
+  if (!posed) {
+    frame.other_problem = posed.error();
+    return;
+  }
+  frame.body_rms_mm = posed->rms_mm;
+  const cv::Mat& own_mm = frame.result.depth->depth_mm;
+  // Where the body does not reach, it leaves the skin untouched.
+  cv::Mat body_mm = posed->depth_mm;
+  body_mm.setTo(0.0F, ~(body_mm == body_mm));
+  body_mm.setTo(std::numeric_limits<float>::quiet_NaN(), ~(own_mm == own_mm));
+  frame.other = frame.result;
+  frame.other->depth->depth_mm = body_mm;
+  frame.difference_mm = difference_of(frame.result, *frame.other);
 }
 
 void FrameMeasurer::compare(MeasuredFrame& frame, const ComparisonSpec& other, bool is_next,
                             const Job& job) {
-  if (other.method == OtherMethod::kFrame) {
-    auto result = measure_other_frame(other.frame);
+  if (other.method == OtherMethod::kBody) return compare_with_body(frame, other.file, job);
+  const bool is_other_frame =
+      other.method == OtherMethod::kFrame || other.method == OtherMethod::kRecording;
+  if (is_other_frame) {
+    auto result = measure_other_frame(other, job);
     if (result)
       frame.other = std::move(*result);
     else
@@ -165,9 +209,8 @@ void FrameMeasurer::compare(MeasuredFrame& frame, const ComparisonSpec& other, b
     if (result) frame.other = std::move(*result);
   }
   if (!frame.other || !frame.other->depth || !frame.result.depth) return;
-  frame.difference_mm = other.method == OtherMethod::kFrame
-                            ? difference_on_face(frame.result, *frame.other)
-                            : difference_of(frame.result, *frame.other);
+  frame.difference_mm = is_other_frame ? difference_on_face(frame.result, *frame.other)
+                                       : difference_of(frame.result, *frame.other);
 }
 
 Result<MeasuredFrame> FrameMeasurer::measure(std::size_t number, const ComparisonSpec& other,
@@ -196,6 +239,7 @@ Result<MeasuredFrame> FrameMeasurer::complete(const FrameResult& live, const Fin
       *snapshot, folder.empty() ? PipelineSettings{} : measuring_settings(folder), live);
   const bool is_itself =
       other.method == OtherMethod::kPaper || other.method == OtherMethod::kSetting;
+  if (other.method == OtherMethod::kBody) compare(frame, other, false, job);
   if (is_itself && !folder.empty()) {
     if (const Status status = load_finger(folder, job); !status) return status.error();
     compare(frame, other, false, job);

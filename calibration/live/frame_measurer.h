@@ -2,6 +2,7 @@
 // uncertainty of each depth, and optionally a second method, setting or frame for comparison.
 #pragma once
 
+#include "calibration/presses/press.h"
 #include "core/base/job.h"
 #include "core/base/result.h"
 #include "core/finger/finger_store.h"
@@ -20,15 +21,21 @@ namespace alltact {
 /// The second measurement of a comparison.
 enum class OtherMethod {
   kNone = 1,
-  kPaper,    ///< itself, by the source paper's method
-  kSetting,  ///< itself, with one setting of the pipeline set to another value
-  kFrame,    ///< another frame of the recording, at the same positions on the face
+  kPaper,      ///< itself, by the source paper's method
+  kSetting,    ///< itself, with one setting of the pipeline set to another value
+  kFrame,      ///< another frame of the recording, at the same positions on the face
+  kRecording,  ///< a frame of another recording, likewise
+  kBody,       ///< a nominal body in the pose that fits best (body_comparison.h)
 };
 
+[[nodiscard]] constexpr bool needs_file(OtherMethod method) {
+  return method == OtherMethod::kRecording || method == OtherMethod::kBody;
+}
 struct ComparisonSpec {
   OtherMethod method = OtherMethod::kNone;
   std::string setting = {}, value = {};  ///< of pipeline_settings()
-  std::size_t frame = 0;                 ///< kFrame: its number
+  std::size_t frame = 0;                 ///< kFrame, kRecording: its number
+  std::filesystem::path file = {};       ///< kRecording: a video or folder; kBody: its mesh
   bool operator==(const ComparisonSpec&) const = default;
 };
 
@@ -49,7 +56,8 @@ struct MeasuredFrame {
   /// Empty where one has no depth. Another frame is compared at the same position on the face,
   /// which lies in another pixel where the finger has bent since.
   cv::Mat difference_mm;
-  /// Why the requested comparison is impossible for all frames of this finger.
+  std::optional<double> body_rms_mm;  ///< kBody: distance of the skin that lies on it from the body
+  /// Why the requested comparison is impossible.
   std::optional<Error> other_problem;
 };
 
@@ -98,15 +106,20 @@ class FrameMeasurer {
  private:
   Status open_other(const ComparisonSpec& other, const Job& job);
   void compare(MeasuredFrame& frame, const ComparisonSpec& other, bool is_next, const Job& job);
-  Result<FrameResult> measure_other_frame(std::size_t number);
+  void compare_with_body(MeasuredFrame& frame, const std::filesystem::path& file, const Job& job);
+  Result<FrameResult> measure_other_frame(const ComparisonSpec& other, const Job& job);
 
   std::filesystem::path folder_, input_;
   std::shared_ptr<FingerStore> store_;
   FingerPtr finger_;
   std::optional<Pipeline> first_, other_;
   ComparisonSpec other_comparison_;  // that other_ measures with
-  std::size_t other_number_ = 0;     // of other_frame_
+  ComparisonSpec other_frame_of_;    // that other_frame_ belongs to
   std::optional<FrameResult> other_frame_;
+  std::filesystem::path other_input_;
+  std::optional<RecordedFrames> other_frames_;
+  std::optional<KnownBody> body_;
+  std::filesystem::path body_file_;
   std::optional<RecordedFrames> frames_;
   std::shared_ptr<const FrameTimes> times_ns_;
   std::optional<std::size_t> last_;

@@ -15,6 +15,8 @@ namespace fs = std::filesystem;
 // Of what is pressed into a finger: its longest side.
 constexpr double kSmallestMm = 1, kLargestMm = 500;
 
+}  // namespace
+
 Result<KnownBody> load_body(const fs::path& file) {
   const auto mesh = read_mesh(file);
   if (!mesh) return mesh.error();
@@ -33,8 +35,6 @@ Result<KnownBody> load_body(const fs::path& file) {
   return KnownBody{file.filename().string(),
                    std::make_shared<const MeshDistance>(std::move(shape).value())};
 }
-
-}  // namespace
 
 fs::path body_file(const fs::path& finger_folder, const std::string& file) {
   return finger_folder / file;  // an absolute path replaces the folder

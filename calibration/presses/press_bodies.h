@@ -21,9 +21,12 @@ using PressBodies = std::map<std::string, KnownBody>;
 [[nodiscard]] std::filesystem::path body_file(const std::filesystem::path& finger_folder,
                                               const std::string& file);
 
-/// Reads the mesh of every body in the notes about presses that are not excluded. Errors, with the
-/// file as `where`: those of read_mesh(); a mesh that is not closed; one whose size suggests
-/// another unit than mm.
+/// Reads the mesh of a body. Errors, with the file as `where`: those of read_mesh(); a mesh that is
+/// not closed; one whose size suggests another unit than mm.
+[[nodiscard]] Result<KnownBody> load_body(const std::filesystem::path& file);
+
+/// Reads the mesh of every body in the notes about presses that are not excluded. Errors: those of
+/// load_body().
 [[nodiscard]] Result<PressBodies> load_bodies(const PressSet& press_set,
                                               const std::filesystem::path& finger_folder);
 

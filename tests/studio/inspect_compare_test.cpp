@@ -2,11 +2,15 @@
 #include "core/recording/video_file.h"
 #include "core/sensing/surface_measurement.h"
 #include "tests/studio/two_fingers.h"
+#include "tests/support/made_meshes.h"
 #include "widgets/inspect/inspect_side.h"
 #include "widgets/inspect/inspected_frame.h"
 
 #include <QComboBox>
+#include <QFileDialog>
 #include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
 #include <QSpinBox>
 #include <sstream>
 
@@ -121,6 +125,31 @@ TEST_F(InspectMore, ComparesWithAnotherFrameAtTheSamePlacesOfTheFace) {
   ASSERT_NE(number, nullptr);
   EXPECT_EQ(number->value(), 6);
   EXPECT_EQ(number->maximum(), 6);
+}
+
+TEST_F(InspectMore, ComparesWithABodyThatIsChosen) {
+  const TemporaryFolder folder;
+  const fs::path ball_file = folder / "ball.stl";
+  write_stl(ball_file, ball(4.0));
+  ASSERT_TRUE(open_pictures());
+  change([](InspectOptions& options) { options.comparison = Comparison::kDifference; });
+  auto* with = studio_.find<QComboBox>("With");
+  ASSERT_NE(with, nullptr);
+  const int before = with->currentIndex();
+  with->setFocus();
+  QTest::keyClick(with, Qt::Key_End);
+  auto* dialog = studio_.window().findChild<QFileDialog*>();
+  ASSERT_NE(dialog, nullptr) << "it asks for the file";
+  EXPECT_EQ(with->currentIndex(), before) << "until one is chosen";
+  auto* name = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
+  name->setText(QString::fromStdString(ball_file.string()));
+  QTest::keyClick(name, Qt::Key_Return);
+  ASSERT_TRUE(wait_until([&] { return frame().body_rms_mm.has_value(); }, 20000));
+  EXPECT_LT(*frame().body_rms_mm, 0.03);
+  EXPECT_EQ(with->currentIndex(), with->count() - 1);
+  EXPECT_EQ(studio_.find<QPushButton>("ball.stl")->isVisible(), true);
+  studio_.window().undo_stack().undo();
+  EXPECT_NE(place().options().with.method, OtherMethod::kBody);
 }
 
 TEST_F(InspectMore, TellsUnderThePointerWhatTheCommandLineWrites) {

@@ -3,6 +3,7 @@
 #include "tests/studio/calibrate_rig.h"
 #include "tests/studio/layout_rig.h"
 #include "tests/studio/measured_finger.h"
+#include "tests/support/made_meshes.h"
 #include "widgets/pages/accuracy_page.h"
 
 #include <QComboBox>
@@ -102,6 +103,13 @@ TEST_P(Screens, Inspect) {
   save(studio, "inspect_beside");
   QTest::keyClick(comparison, Qt::Key_Down);
   save(studio, "inspect_difference");
+  const TemporaryFolder folder;
+  write_stl(folder / "ball.stl", ball(4.0));
+  InspectOptions inspected = place.options();
+  inspected.with = {OtherMethod::kBody, {}, {}, 0, folder / "ball.stl"};
+  place.restore(inspected, place.frame_number());
+  ASSERT_TRUE(wait_until([&] { return place.inspection().frame()->body_rms_mm.has_value(); }));
+  save(studio, "inspect_body");
 }
 
 TEST_P(Screens, Accuracy) {

@@ -105,6 +105,10 @@ std::vector<SettingChoice> setting_choices() {
   return choices;
 }
 
+QString name_of(const std::filesystem::path& file) {
+  return QString::fromStdString(file.filename().string());
+}
+
 OtherMethod method_at(int index) {
   return static_cast<OtherMethod>(index + static_cast<int>(OtherMethod::kPaper));
 }
@@ -119,6 +123,11 @@ QString comparand_text(const ComparisonSpec& other) {
       return QString::fromStdString(other.setting + ' ' + other.value);
     case OtherMethod::kFrame:
       return ViewBox::tr("frame %1").arg(QLocale().toString(qulonglong{other.frame} + 1));
+    case OtherMethod::kRecording:
+      return ViewBox::tr("frame %1 of %2")
+          .arg(QLocale().toString(qulonglong{other.frame} + 1), name_of(other.file));
+    case OtherMethod::kBody:
+      return name_of(other.file);
     case OtherMethod::kPaper:
     case OtherMethod::kNone:
       break;
@@ -133,6 +142,7 @@ ViewBox::ViewBox(QWidget* parent)
       comparison_(new QComboBox),
       with_(new QComboBox),
       setting_(new QComboBox),
+      file_(new QPushButton),
       frame_(new IntegerField),
       top_(spin(0.05, 10, 0.05, 2)),
       difference_top_(spin(0.01, 2, 0.01, 2)),
@@ -142,7 +152,8 @@ ViewBox::ViewBox(QWidget* parent)
   shown_as_->addItems({{}, {}});
   standpoint_->addItems({{}, {}, {}, {}});
   comparison_->addItems({{}, {}, {}});
-  with_->addItems({{}, {}, {}});
+  with_->addItems({{}, {}, {}, {}, {}});
+  file_->setObjectName(QStringLiteral("comparand"));
   for (QComboBox* box : {shown_as_, standpoint_, comparison_, with_, setting_}) {
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     box->setMinimumContentsLength(10);
@@ -153,6 +164,7 @@ ViewBox::ViewBox(QWidget* parent)
   add_row(comparison_, [] { return tr("Com&pare"); });
   add_row(with_, [] { return tr("&With"); });
   add_row(setting_, [] { return tr("Set&ting"); });
+  add_row(file_, [] { return tr("F&ile"); });
   add_row(frame_, [] { return tr("Frame &number"); });
   add_row(top_, [] { return tr("&Colours up to"); });
   add_row(difference_top_, [] { return tr("Differe&nce up to"); });
@@ -195,9 +207,14 @@ ViewBox::ViewBox(QWidget* parent)
     with_->setItemText(0, tr("the source paper"));
     with_->setItemText(1, tr("another setting"));
     with_->setItemText(2, tr("another frame"));
+    with_->setItemText(3, tr("another recording"));
+    with_->setItemText(4, tr("a body (STL, OBJ)"));
     with_->setToolTip(
         tr("The paper's formulas or another setting measure the same frame again. With another "
-           "frame, the same positions on the face are compared."));
+           "frame or recording, the same positions on the face are compared. A body is turned and "
+           "shifted until it fits the deeper part of the largest contact; the difference shows "
+           "where the skin does not follow it."));
+    file_->setToolTip(tr("Choose another file. An image stands for all the images in its folder."));
     for (NumberField* box : {top_, difference_top_}) box->setSuffix(tr(" mm"));
     difference_top_->setPrefix(QStringLiteral("± "));
     top_->setAccessibleName(tr("Depth at which the colours end"));
@@ -291,12 +308,27 @@ void ViewBox::connect_comparison() {
   connect(with_, &QComboBox::activated, this, [this, change_with](int index) {
     ComparisonSpec with = options_.with;
     with.method = method_at(index);
+    if (needs_file(with.method)) {
+      set_options(options_);  // until a file is chosen
+      return ask_for_comparand(with.method, [with, change_with](std::filesystem::path file) {
+        ComparisonSpec chosen = with;
+        chosen.file = std::move(file);
+        change_with(chosen, -1);
+      });
+    }
     if (with.method == OtherMethod::kSetting && with.setting.empty()) {
       const SettingChoice first = setting_choices().front();
       with.setting = first.name;
       with.value = first.value;
     }
     change_with(with, -1);
+  });
+  connect(file_, &QPushButton::clicked, this, [this, change_with] {
+    ask_for_comparand(options_.with.method, [this, change_with](std::filesystem::path file) {
+      ComparisonSpec with = options_.with;
+      with.file = std::move(file);
+      change_with(with, -1);
+    });
   });
   connect(setting_, &QComboBox::activated, this, [this, change_with](int index) {
     const QStringList choice = setting_->itemData(index).toStringList();
@@ -310,6 +342,20 @@ void ViewBox::connect_comparison() {
     with.frame = static_cast<std::size_t>(number - 1);
     change_with(with, kFrameNumber);
   });
+}
+
+void ViewBox::ask_for_comparand(OtherMethod method,
+                                const std::function<void(std::filesystem::path)>& use) {
+  if (method == OtherMethod::kBody)
+    return ask_for_file(this, FilesOf::kMeshes, tr("Body to compare with, in mm"),
+                        tr("Meshes (*.stl *.obj)"),
+                        [use](const QString& file) { use(file.toStdString()); });
+  ask_for_file(this, FilesOf::kRecordings, tr("Recording to compare with"),
+               video_filter(QStringLiteral("*.png *.jpg *.jpeg *.bmp *.tif *.tiff *.pgm")),
+               [use](const QString& chosen) {
+                 std::filesystem::path file = chosen.toStdString();
+                 use(is_image_file(file) ? file.parent_path() : file);
+               });
 }
 
 void ViewBox::set_frame_count(std::size_t count) {
@@ -339,9 +385,14 @@ void ViewBox::set_options(const InspectOptions& options) {
 /// Hides what depends on another choice above; disables what has no effect in this view.
 void ViewBox::show_rows() {
   const QSignalBlocker quiet(frame_);
-  frame_->setRange(1, std::max(1, static_cast<int>(frame_count_)));
+  constexpr int kOfAnyRecording = 999'999;  // the last frame stands for those beyond it
+  frame_->setRange(1, options_.with.method == OtherMethod::kRecording
+                          ? kOfAnyRecording
+                          : std::max(1, static_cast<int>(frame_count_)));
   frame_->setValue(static_cast<int>(options_.with.frame) + 1);
   set_entry_enabled(*with_, 2, frame_count_ > 0);
+  set_entry_enabled(*with_, 3, frame_count_ > 0);
+  file_->setText(name_of(options_.with.file));
   const bool is_3d = shown_as_->currentIndex() == 0;
   standpoint_->setEnabled(is_3d);
   times_->setEnabled(is_3d);
@@ -355,7 +406,9 @@ void ViewBox::show_rows() {
   };
   show(with_, is_compared);
   show(setting_, is_compared && options_.with.method == OtherMethod::kSetting);
-  show(frame_, is_compared && options_.with.method == OtherMethod::kFrame);
+  show(file_, is_compared && needs_file(options_.with.method));
+  show(frame_, is_compared && (options_.with.method == OtherMethod::kFrame ||
+                               options_.with.method == OtherMethod::kRecording));
   show(top_, comparison != Comparison::kDifference);
   show(difference_top_, comparison == Comparison::kDifference);
 }

@@ -13,6 +13,9 @@
 #include <QComboBox>
 #include <QGroupBox>
 #include <QLabel>
+#include <QPushButton>
+#include <filesystem>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -44,12 +47,15 @@ class ViewBox : public Translated<QGroupBox> {
   void connect_view();
   void connect_comparison();
   void fill_settings();
+  /// Asks for the file of a comparison; `use` it with the method.
+  void ask_for_comparand(OtherMethod method, const std::function<void(std::filesystem::path)>& use);
   void show_rows();
   [[nodiscard]] QLabel* label_of(const QWidget* widget) const;
 
   InspectOptions options_;
   std::size_t frame_count_ = 0;
   QComboBox *shown_as_, *standpoint_, *comparison_, *with_, *setting_;
+  QPushButton* file_;
   IntegerField* frame_;
   NumberField *top_, *difference_top_, *times_;
   std::vector<Row> rows_;

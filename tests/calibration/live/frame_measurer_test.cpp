@@ -3,6 +3,7 @@
 
 #include "core/image/image_file.h"
 #include "tests/support/flat_sensor.h"
+#include "tests/support/made_meshes.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -94,6 +95,69 @@ TEST_F(FrameMeasurerTest, ThePaperTakesNothingOfOurCalibration) {
   EXPECT_FALSE(frame->other);
   ASSERT_TRUE(frame->other_problem) << "no press is kept that it could calibrate with";
   EXPECT_NE(frame->other_problem->what.english().find("has no stored presses"), std::string::npos);
+}
+
+/// Of what is finite within so many pixels of the ball's middle.
+struct Differences {
+  double mean_mm = 0, worst_mm = 0;
+};
+Differences near_the_ball(const cv::Mat& difference_mm, double within_px) {
+  Differences found;
+  int count = 0;
+  for (int v = 0; v < difference_mm.rows; ++v)
+    for (int u = 0; u < difference_mm.cols; ++u) {
+      const double mm = difference_mm.at<float>(v, u);
+      if (std::hypot(u - kBall_u, v - kBall_v) > within_px || !std::isfinite(mm)) continue;
+      found.mean_mm += mm, ++count;
+      found.worst_mm = std::max(found.worst_mm, std::abs(mm));
+    }
+  found.mean_mm /= std::max(1, count);
+  return found;
+}
+
+TEST_F(FrameMeasurerTest, ComparesWithANominalBody) {
+  const fs::path right = folder_ / "ball.stl", small = folder_ / "small.stl";
+  test::write_stl(right, test::ball(FlatSensor::kBallRadiusMm));
+  test::write_stl(small, test::ball(0.6 * FlatSensor::kBallRadiusMm));
+  open();
+  const ComparisonSpec with_ball{OtherMethod::kBody, {}, {}, 0, right};
+  const auto frame = measurer_.measure(1, with_ball, job_);
+  ASSERT_TRUE(frame.ok());
+  ASSERT_FALSE(frame->other_problem) << frame->other_problem->sentence();
+  ASSERT_TRUE(frame->other && frame->body_rms_mm);
+  EXPECT_LT(*frame->body_rms_mm, 0.02);
+  // The contact of a ball pressed in 0.5 mm has a radius of 1.9 mm, 32 pixels; noise is 0.01 mm.
+  const Differences same = near_the_ball(frame->difference_mm, 28);
+  EXPECT_NEAR(same.mean_mm, 0, 0.01);
+  EXPECT_LT(same.worst_mm, 0.08);
+  const cv::Mat body_mm = frame->other->depth->depth_mm;
+  EXPECT_NEAR(body_mm.at<float>(static_cast<int>(kBall_v), static_cast<int>(kBall_u)), depth_of(1),
+              0.02);
+  EXPECT_EQ(body_mm.at<float>(200, 60), 0) << "the body is not there";
+  EXPECT_NE(frame->result.depth->depth_mm.data, body_mm.data);
+  // A smaller ball fits worse: 2 mm^2 / (2 R) less deep at the rim of the contact.
+  const auto other = measurer_.measure(1, {OtherMethod::kBody, {}, {}, 0, small}, job_);
+  ASSERT_TRUE(other.ok() && other->body_rms_mm);
+  EXPECT_GT(*other->body_rms_mm, 3 * *frame->body_rms_mm);
+  const auto none = measurer_.measure(1, {OtherMethod::kBody, {}, {}, 0, folder_ / "no.stl"}, job_);
+  ASSERT_TRUE(none.ok() && none->other_problem);
+  EXPECT_FALSE(none->other);
+}
+
+TEST_F(FrameMeasurerTest, ComparesWithAnotherRecording) {
+  const fs::path copy = folder_ / "copy";
+  fs::copy(recording_, copy);
+  open();
+  const auto own = measurer_.measure(2, {OtherMethod::kFrame, {}, {}, 0}, job_);
+  const auto other = measurer_.measure(2, {OtherMethod::kRecording, {}, {}, 0, copy}, job_);
+  ASSERT_TRUE(own.ok() && other.ok());
+  ASSERT_FALSE(other->other_problem) << other->other_problem->sentence();
+  const Differences expected = near_the_ball(own->difference_mm, 3);
+  EXPECT_NEAR(expected.mean_mm, depth_of(2) - depth_of(0), 0.05);
+  EXPECT_EQ(near_the_ball(other->difference_mm, 3).mean_mm, expected.mean_mm);
+  const auto gone =
+      measurer_.measure(2, {OtherMethod::kRecording, {}, {}, 0, folder_ / "no"}, job_);
+  ASSERT_TRUE(gone.ok() && gone->other_problem);
 }
 
 TEST_F(FrameMeasurerTest, CompletesALiveFrameAsIfItWereRecorded) {
