@@ -65,7 +65,7 @@ std::vector<SkinPoint> skin_in(const cv::Mat& mask, const cv::Mat& points_mm,
 }
 
 /// A body in its pose, and a depth that none of it reaches.
-struct PlacedBody {
+struct BodyInPose {
   const MeshDistance& shape;
   const Eigen::Isometry3d& camera_from_body;
   double beyond_mm;
@@ -77,7 +77,7 @@ struct PlacedBody {
 
 /// Where the body's surface lies on a line along z, as a depth from the untouched face: the first
 /// point of the body seen from the camera's side. nullopt: it does not press in there.
-std::optional<double> depth_at(const PlacedBody& body, const Vector3d& untouched) {
+std::optional<double> depth_at(const BodyInPose& body, const Vector3d& untouched) {
   constexpr double kCloseMm = 1e-4;
   constexpr int kSteps = 200;
   double depth_mm = body.beyond_mm;
@@ -91,7 +91,7 @@ std::optional<double> depth_at(const PlacedBody& body, const Vector3d& untouched
 }
 
 /// NaN where the body does not press in. Blocks of pixels that are too far from it are passed over.
-cv::Mat depths_of(const PlacedBody& body, const cv::Mat& points_mm, const cv::Mat& depth_mm) {
+cv::Mat depths_of(const BodyInPose& body, const cv::Mat& points_mm, const cv::Mat& depth_mm) {
   constexpr int kBlockPx = 8;
   cv::Mat depths(depth_mm.size(), CV_32FC1, cv::Scalar(kNaN));
   const auto fill = [&](int first_v, int first_u) {

@@ -574,11 +574,11 @@ constexpr double kBlurred = 3.2;  // contrast over slope, rows: a wider transiti
 constexpr double kCrossingNoise = 1.2;
 /// Smallest contrast of an edge, and relative to the noise of one row. The difference between two
 /// means of kFar - kNear + 1 rows has 0.6 of that noise. At the tip, where little light arrives,
-/// contrast is low. Beside a dot a step of low contrast may be the dot's own.
+/// contrast is low. Near a dot a step of low contrast may be the dot's own.
 struct LeastContrast {
   double grey_levels, times_noise;
 };
-constexpr LeastContrast kLeastContrast{2.0, 5.0}, kLeastBesideDot{3.0, 8.0};
+constexpr LeastContrast kLeastContrast{2.0, 5.0}, kLeastNearDot{3.0, 8.0};
 
 constexpr int kStepMargin =
     // Rows beyond a step that it reads on each side
@@ -733,7 +733,7 @@ std::optional<EdgeCrossing> crossing_between_levels(Profile& profile, float sign
   Level after = level_of(profile, inner, outer);
   if (outside) (face_below ? before : after) = {*outside, 0.0F, 0.0F};
   const float contrast = sign * (after.mean - before.mean);
-  const auto& least = outside ? kLeastBesideDot : kLeastContrast;
+  const auto& least = outside ? kLeastNearDot : kLeastContrast;
   if (contrast < std::max(least.grey_levels, least.times_noise * noise)) return std::nullopt;
   const auto above = [&](int i) {
     return sign * (profile[static_cast<std::size_t>(i)] - 0.5F * (before.at(i) + after.at(i)));

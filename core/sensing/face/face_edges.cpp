@@ -184,7 +184,7 @@ class EndReader {
  private:
   [[nodiscard]] int column(int i) const { return start_ + outwards_ * i; }
 
-  /// As a fraction of the way from the upper to the lower edge.
+  /// As a fraction from the upper to the lower edge.
   [[nodiscard]] static double centre_of(int strip) { return (strip + 1.0) / (kStrips + 1.0); }
   [[nodiscard]] double row_of(int strip, double u) const {
     return std::lerp(upper_.at(u), lower_.at(u), centre_of(strip));
