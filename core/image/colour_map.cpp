@@ -58,13 +58,15 @@ MapColour cool_to_warm(double part) {
 }
 
 MapColour depth_colour(double part) {
-  static constexpr std::array<MapColour, 6> kBulge{{{68, 1, 84},
-                                                    {122, 10, 92},
-                                                    {177, 38, 94},
-                                                    {222, 84, 101},
-                                                    {249, 145, 131},
-                                                    {255, 208, 190}}};
-  return part < 0 ? between(kBulge, -part / kBulgeFraction) : viridis(part);
+  // As dark as the colours next to it.
+  constexpr MapColour kUntouched{78, 78, 80};
+  static constexpr std::array<MapColour, 6> kBulge{
+      {kUntouched, {135, 56, 74}, {177, 56, 94}, {222, 84, 101}, {249, 145, 131}, {255, 208, 190}}};
+  if (part < 0) return between(kBulge, -part / kBulgeFraction);
+  constexpr double kFirst = 0.25;  // of viridis
+  constexpr double kGreyUpTo = 0.06;
+  const MapColour colour = viridis(kFirst + (1 - kFirst) * std::max(part, kGreyUpTo));
+  return between(std::array<MapColour, 2>{kUntouched, colour}, part / kGreyUpTo);
 }
 
 int ColourScale::label_decimals(int labels) const {

@@ -20,9 +20,10 @@ struct MapColour {
 /// Range of the colours for bulges, relative to that for presses: 0.1 mm of bulge shows on a scale
 /// for presses of 1.5 mm.
 inline constexpr double kBulgeFraction = 0.25;
-/// Map for depth relative to the top of its scale: viridis from 0 to 1. Below 0, where skin bulges,
-/// it goes from viridis' dark end through red to light pink at -kBulgeFraction. Lightness rises in
-/// both directions, so zero is the darkest; clamped.
+/// Map for depth relative to the top of its scale. Untouched skin, 0, is neutral grey. Above it are
+/// blue, green and yellow, the upper three quarters of viridis. Below it, where skin bulges, are
+/// red and light pink down to -kBulgeFraction. Lightness rises in both directions, so zero is the
+/// darkest; clamped.
 [[nodiscard]] MapColour depth_colour(double part);
 
 /// A colour scale: the first colour for `low_mm` and less, the last for `top_mm` and more.

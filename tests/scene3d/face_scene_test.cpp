@@ -49,11 +49,11 @@ class FaceSceneTest : public testing::Test {
 TEST_F(FaceSceneTest, ColoursTheFaceByDepthInMillimetres) {
   show(made_.make(193, 109));
   // Straight from the camera a flat top is lit in full.
-  EXPECT_LT(distance(at(middle_), of(viridis(0.8))), 12);
-  EXPECT_LT(distance(at({100, 100}), of(viridis(0))), 12);
+  EXPECT_LT(distance(at(middle_), of(depth_colour(0.8))), 12);
+  EXPECT_LT(distance(at({100, 100}), of(depth_colour(0))), 12);
   options_.top_mm = 1.6;
   scene().set_options(options_);
-  EXPECT_LT(distance(at(middle_), of(viridis(0.5))), 12);
+  EXPECT_LT(distance(at(middle_), of(depth_colour(0.5))), 12);
 }
 
 TEST_F(FaceSceneTest, ShowsWhatWasNotMeasuredInGrey) {
@@ -233,14 +233,15 @@ TEST_F(GripperSceneTest, ShowsBothFacesOnOneScale) {
   show_both(first, second);
   const cv::Point centre(kSize.width / 2, kSize.height / 2);
   look_with(first_);
-  EXPECT_LT(distance(renderer_.image().at<cv::Vec3b>(centre), of(viridis(0.8))), 12);
+  EXPECT_LT(distance(renderer_.image().at<cv::Vec3b>(centre), of(depth_colour(0.8))), 12);
   look_with(second_);
-  EXPECT_LT(distance(renderer_.image().at<cv::Vec3b>(centre), of(viridis(0.4))), 12);
+  EXPECT_LT(distance(renderer_.image().at<cv::Vec3b>(centre), of(depth_colour(0.4))), 12);
   EXPECT_FALSE(scene().pixel_at(centre.x, centre.y)) << "points lie on the first finger";
   show(first);
   EXPECT_EQ(scene().pixel_at(1, 1), std::nullopt);
   scene().set_viewpoint(Viewpoint::kCamera);
-  EXPECT_LT(distance(at(middle_), of(viridis(0.8))), 12) << "alone again, in its camera's frame";
+  EXPECT_LT(distance(at(middle_), of(depth_colour(0.8))), 12)
+      << "alone again, in its camera's frame";
 }
 
 TEST_F(GripperSceneTest, LooksSoThatBothAreInSight) {

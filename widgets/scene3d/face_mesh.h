@@ -14,8 +14,8 @@ class vtkUnsignedCharArray;
 
 namespace alltact {
 
-/// Grey: where a value is not measured.
-inline constexpr MapColour kNotMeasured{128, 128, 128};
+/// Light grey, far from the dark grey of untouched skin: where a value is not measured.
+inline constexpr MapColour kNotMeasured{200, 200, 200};
 
 class FaceMesh {
  public:

@@ -24,6 +24,7 @@
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
+#include <vtkProperty2D.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkScalarBarActor.h>
@@ -171,6 +172,8 @@ class ColourBar {
     bar_->SetBarRatio(0.28);
     bar_->SetTextPad(4);
     bar_->SetVerticalTitleSeparation(10);
+    bar_->SetMaximumNumberOfColors(kSteps);
+    bar_->DrawBackgroundOn();  // legible over the finger
     bar_->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
     for (vtkTextProperty* text : {bar_->GetLabelTextProperty(), bar_->GetTitleTextProperty()}) {
       text->ItalicOff();
@@ -183,7 +186,6 @@ class ColourBar {
 
   void show(bool is_shown) { bar_->SetVisibility(is_shown); }
   void set_scale(const ColourScale& scale) {
-    constexpr int kSteps = 256;
     colours_->SetNumberOfTableValues(kSteps);
     colours_->SetTableRange(scale.low_mm, scale.top_mm);
     // As many as make zero one of them.
@@ -196,7 +198,9 @@ class ColourBar {
     }
     colours_->Build();
   }
-  void apply_style(const cv::Vec3b& text) {
+  void apply_style(const cv::Vec3b& ground, const cv::Vec3b& text) {
+    bar_->GetBackgroundProperty()->SetColor(ground[0] / 255.0, ground[1] / 255.0,
+                                            ground[2] / 255.0);
     for (vtkTextProperty* property : {bar_->GetLabelTextProperty(), bar_->GetTitleTextProperty()}) {
       property->SetColor(text[0] / 255.0, text[1] / 255.0, text[2] / 255.0);
       property->SetFontSize(kLetterPoints);
@@ -218,6 +222,7 @@ class ColourBar {
   }
 
  private:
+  static constexpr int kSteps = 256;  // colours
   vtkNew<vtkScalarBarActor> bar_;
   vtkNew<vtkLookupTable> colours_;
 };
@@ -379,7 +384,7 @@ void FaceScene::State::apply_style() {
   second.apply_style(colours, scale);
   gripper.apply_style(scale);
   mark_actors.apply_style(scale);
-  bar.apply_style(text);
+  bar.apply_style(ground, text);
   bar.set_position(window->GetSize(), scale);
   gap->GetProperty()->SetColor(text[0] / 255.0, text[1] / 255.0, text[2] / 255.0);
   gap->GetProperty()->SetLineWidth(static_cast<float>(2 * scale));

@@ -1,5 +1,6 @@
 #include "core/image/colour_map.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -24,6 +25,32 @@ TEST(ColourScale, LabelsAreWrittenAsTheyAre) {
   EXPECT_EQ(difference_scale(0.05).label_decimals(5), 3) << "0.025";
   EXPECT_EQ(difference_scale(0.05).label_decimals(3), 2);
   EXPECT_EQ(depth_scale(1.0).label_decimals(6), 2);
+}
+
+/// Relative luminance of sRGB, 0 to 1.
+double luminance(const MapColour& colour) {
+  const auto linear = [](std::uint8_t level) {
+    const double part = level / 255.0;
+    return part <= 0.04045 ? part / 12.92 : std::pow((part + 0.055) / 1.055, 2.4);
+  };
+  return 0.2126 * linear(colour.red) + 0.7152 * linear(colour.green) + 0.0722 * linear(colour.blue);
+}
+
+TEST(DepthColour, UntouchedSkinIsNeutralAndTheDarkest) {
+  const MapColour untouched = depth_colour(0);
+  EXPECT_LT(std::max({untouched.red, untouched.green, untouched.blue}) -
+                std::min({untouched.red, untouched.green, untouched.blue}),
+            6);
+  for (const double sign : {1.0, -kBulgeFraction}) {
+    double before = luminance(untouched);
+    for (int i = 1; i <= 100; ++i) {
+      const double here = luminance(depth_colour(0.01 * i * sign));
+      EXPECT_GT(here, before - 0.004) << 0.01 * i * sign;
+      EXPECT_GT(here, luminance(untouched) - 0.004) << 0.01 * i * sign;
+      before = here;
+    }
+  }
+  EXPECT_GT(luminance(depth_colour(1)), 0.7);
 }
 
 }  // namespace

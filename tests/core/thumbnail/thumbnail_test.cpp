@@ -33,8 +33,8 @@ TEST(DepthThumbnail, ColoursEndAtTheDeepestAndNothingIsClear) {
   depth(cv::Rect(100, 50, 100, 50)).setTo(kNone);
   const cv::Mat small = depth_thumbnail(depth, 64);
   EXPECT_EQ(small.size(), cv::Size(64, 32));
-  EXPECT_LT(distance(small.at<cv::Vec4b>(8, 16), viridis(1)), 1.8);
-  EXPECT_LT(distance(small.at<cv::Vec4b>(8, 48), viridis(0)), 1.8);
+  EXPECT_LT(distance(small.at<cv::Vec4b>(8, 16), depth_colour(1)), 1.8);
+  EXPECT_LT(distance(small.at<cv::Vec4b>(8, 48), depth_colour(0)), 1.8);
   EXPECT_EQ(small.at<cv::Vec4b>(24, 48)[3], 0);
   EXPECT_NEAR(covered(small), 0.75, 0.01);
 }
@@ -45,13 +45,13 @@ TEST(DepthThumbnail, WhatIsClearHasNoPartInTheColoursBesideIt) {
   const cv::Mat small = depth_thumbnail(depth, 16);
   for (int v = 0; v < 16; ++v)
     for (int u = 0; u < 16; ++u)
-      EXPECT_LT(distance(small.at<cv::Vec4b>(v, u), viridis(1)), 1.8) << u << ' ' << v;
+      EXPECT_LT(distance(small.at<cv::Vec4b>(v, u), depth_colour(1)), 1.8) << u << ' ' << v;
   EXPECT_NEAR(covered(small), 0.5, 0.01);
 }
 
 TEST(DepthThumbnail, NoiseOfAnUntouchedFaceIsNotBlownUp) {
   const cv::Mat depth(10, 10, CV_32FC1, cv::Scalar(0.01));
-  EXPECT_LT(distance(depth_thumbnail(depth, 16).at<cv::Vec4b>(8, 8), viridis(0.1)), 1.8);
+  EXPECT_LT(distance(depth_thumbnail(depth, 16).at<cv::Vec4b>(8, 8), depth_colour(0.1)), 1.8);
 }
 
 /// A ball of triangles, `steps` from pole to pole.
@@ -102,7 +102,7 @@ TEST(MeshThumbnail, WhatIsNearerHidesWhatIsFarther) {
   }
   const cv::Mat image = mesh_thumbnail(plates, 64);
   const cv::Vec4b& middle = image.at<cv::Vec4b>(32, 32);
-  const MapColour yellow = viridis(1);
+  const MapColour yellow = depth_colour(1);
   // In the yellow of the nearer plate, darker by its slope towards the light.
   EXPECT_NEAR(static_cast<double>(middle[1]) / middle[2],
               static_cast<double>(yellow.green) / yellow.red, 0.05);

@@ -108,8 +108,8 @@ TEST(ReliefPicture, ShowsDepthsAndDifferencesInTheirOwnScales) {
   const double row = 18 + 0.5 * height, next_row = row + 18 + height + 8;
   for (const double mm : {0.1, 0.3, 0.6, 0.9}) {
     const double x = map_width * (100 * mm + 20.5) / 141;
-    EXPECT_TRUE(is_near(colour_at(x, row), viridis(mm))) << mm;
-    EXPECT_TRUE(is_near(colour_at(map_width + 8 + x, row), viridis(mm + 0.05))) << mm;
+    EXPECT_TRUE(is_near(colour_at(x, row), depth_colour(mm))) << mm;
+    EXPECT_TRUE(is_near(colour_at(map_width + 8 + x, row), depth_colour(mm + 0.05))) << mm;
     EXPECT_TRUE(is_near(colour_at(map_width + 8 + x, next_row), cool_to_warm(0.5))) << mm;
   }
 }
