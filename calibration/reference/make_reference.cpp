@@ -144,12 +144,12 @@ Result<ReadFrames> read_frames(RecordedVideo& video, const NumberedRecording& nu
   const RecordingFrameReader frame = [&](std::size_t number) {
     return number < recorded ? video.frame(number) : earlier->frame(number - recorded);
   };
-  auto read = read_recorded_faces({frame, all, video.file, table, video.pass.edges}, video.finger,
-                                  video.camera, most_bytes, job);
+  auto read = read_recorded_faces({frame, all, video.pass.video, table, video.pass.edges},
+                                  video.finger, video.camera, most_bytes, job);
   if (!read) return read.error();
   const std::vector<int> missing = numbered.positions ? std::vector<int>{} : numbered.missing;
   const auto model = MarkerModel::learn(table.layouts, table.typical, missing);
-  if (!model) return Error{model.error().what, video.file.string(), model.error().advice};
+  if (!model) return Error{model.error().what, video.pass.video.string(), model.error().advice};
   const Eigen::VectorXd mode_sd = model->mode_sd_px();
   ReadFrames result;
   PosedRows& rows = result.rows;
@@ -344,7 +344,8 @@ Result<RecordedFaces> exclude_contacts(RecordedVideo& video, const NumberedRecor
     rows.push_back(read->faces.retained[i]);
   }
   selected = std::move(untouched);
-  return faces_of_rows(std::move(read->faces), rows);
+  return faces_of_rows(std::move(read->faces), rows, table_of(numbered, selected),
+                       kRecordedFaces_bytes);
 }
 
 constexpr double kTouchRadiusMm = 3.0;  // of the circle that is drawn
@@ -548,26 +549,20 @@ Status choose_rest(const ReferenceChoices& choices, const std::vector<std::size_
 }
 
 // Finds contacts in the recording, excludes their frames, and evaluates the others.
-Status study(const fs::path& file, const RecordingPass& pass, const Camera& camera,
-             const Finger& finger, const Job& job, const ReferenceChoices& choices,
-             std::optional<EarlierReference>& earlier, std::vector<std::size_t>& selected,
-             MadeReference& made) {
-  auto reader = VideoFile::open(file, job);
+Status study(const RecordingPass& pass, const Camera& camera, const Finger& finger, const Job& job,
+             const ReferenceChoices& choices, std::optional<EarlierReference>& earlier,
+             std::vector<std::size_t>& selected, MadeReference& made) {
+  auto reader = VideoFile::open(pass.video, job);
   if (!reader) return reader.error();
-  RecordedVideo video{pass, file, finger, camera, std::move(*reader)};
+  RecordedVideo video{pass, finger, camera, std::move(*reader)};
   ReferenceReport& report = made.report;
   auto faces = exclude_contacts(video, made.numbered, earlier, choices, Job(job, 0.0, 0.4),
                                 selected, report);
   if (!faces) return faces.error();
   if (selected.size() < 2) return {};
   const MarkerTable table = table_in_video(pass, made.numbered, selected);
-  // A library has room for fewer faces than the search for contacts, and selects which.
-  const RecordingFrameReader frame = [&](std::size_t number) { return video.frame(number); };
   const auto library =
-      faces->bytes <= kRecordedFaces_bytes
-          ? ReferenceLibrary::from_faces(std::move(*faces), table, finger, camera, file)
-          : ReferenceLibrary::from_frames({frame, pass.greys.size(), file, table, pass.edges},
-                                          finger, camera, Job(job, 0.4, 0.6));
+      ReferenceLibrary::from_faces(std::move(*faces), table, finger, camera, pass.video);
   if (!library) return library.error();
   std::vector<std::size_t> of_library;  // by the library's index, the number in the recording
   std::vector<Markers> markers;
@@ -689,7 +684,7 @@ Status make_reference(Source& source, const Camera& camera, const Finger& finger
   std::optional<EarlierReference> earlier;
   if (!choices.skin_was_changed)
     earlier = EarlierReference::open(folder, finger, made.numbered, job);
-  const Status studied = study(video, *pass, camera, with_markers(finger, made.numbered),
+  const Status studied = study(*pass, camera, with_markers(finger, made.numbered),
                                Job(job, 0.5, 0.9), choices, earlier, selected, made);
   if (!studied) {
     // The stretches found are part of the refusal.
@@ -700,12 +695,8 @@ Status make_reference(Source& source, const Camera& camera, const Finger& finger
   for (const auto* sentences : {&report.warnings, &report.remarks})
     if (!sentences->empty()) made.problem = draw(sentences->front().english() + ".");
   thin(selected, made);
-  if (static_cast<int>(selected.size()) < pass->written) {
-    std::vector<char> keep(static_cast<std::size_t>(pass->written), 0);
-    for (const std::size_t i : selected) keep[static_cast<std::size_t>(pass->in_video[i])] = 1;
-    const Status rewritten = retain_frames(video, keep, Job(job, 0.9, 1.0));
-    if (!rewritten) return rewritten;
-  }
+  if (const Status retained = retain_frames(*pass, selected, video, Job(job, 0.9, 1.0)); !retained)
+    return retained;
   made.table = table_of(made.numbered, selected);
   for (const std::size_t frame : selected) report.uses[frame] = FrameUse::kRetained;
   report.frames_retained = static_cast<int>(selected.size());

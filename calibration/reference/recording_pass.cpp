@@ -26,13 +26,16 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMaxCachedBytes = std::size_t{128} << 20;
 
-// The reference video, created at its first frame.
+// The reference video, created at its first frame; none where the recording is copied later.
 class ReferenceVideo {
  public:
-  ReferenceVideo(fs::path file, double frames_per_s)
-      : file_(std::move(file)), frames_per_s_(frames_per_s) {}
+  ReferenceVideo(const Source& source, const fs::path& file)
+      : copied_(source.lossless_file()), file_(file), frames_per_s_(source.frames_per_s()) {}
 
+  [[nodiscard]] bool is_copied() const { return copied_.has_value(); }
+  [[nodiscard]] const fs::path& file() const { return copied_ ? *copied_ : file_; }
   Status add(const Frame& frame) {
+    if (copied_) return {};
     if (!writer_) {
       auto made = VideoWriter::create(file_, frame, VideoCodec::kMagicYuv, frames_per_s_);
       if (!made) return made.error();
@@ -43,6 +46,7 @@ class ReferenceVideo {
   Status finish() { return writer_ ? writer_->finish() : Status(); }
 
  private:
+  std::optional<fs::path> copied_;
   fs::path file_;
   double frames_per_s_;
   std::optional<VideoWriter> writer_;
@@ -90,7 +94,7 @@ class RecordingCopy {
       : source_(source),
         camera_(camera),
         folder_(video.parent_path()),
-        video_(video, source.frames_per_s()),
+        video_(source, video),
         job_(job) {}
 
   /// The next frames, up to kAtOnce; none after the last. Errors: a wrong size; a source that fails
@@ -130,6 +134,7 @@ class RecordingCopy {
     return {};
   }
   Status finish() { return video_.finish(); }
+  [[nodiscard]] const ReferenceVideo& video() const { return video_; }
 
  private:
   /// Such a source must not block.
@@ -154,12 +159,13 @@ void report_read(const Source& source, std::size_t count, const Job& job) {
                en::say("reading frame {} of {}", count + 1, *total));
 }
 
-void add_to(RecordingPass& pass, ReadFrame& read, std::size_t& cached_bytes) {
+/// is_in_video: the video holds frames that cannot be read as well.
+void add_to(RecordingPass& pass, ReadFrame& read, bool is_in_video, std::size_t& cached_bytes) {
   pass.frames.push_back(std::move(read.dots));
-  pass.in_video.push_back(read.frame ? pass.written : -1);
-  if (!read.frame) return;
-  ++pass.written;
-  pass.settings.add(*read.frame);
+  pass.in_video.push_back(read.frame || is_in_video ? pass.video_frames : -1);
+  if (pass.in_video.back() < 0) return;
+  ++pass.video_frames;
+  if (read.frame) pass.settings.add(*read.frame);
   pass.edges.push_back(std::move(read.edges));
   const std::size_t bytes = read.grey.total();
   const bool has_room = cached_bytes + bytes <= kMaxCachedBytes;
@@ -173,6 +179,7 @@ Result<RecordingPass> read_recording(Source& source, const Camera& camera, const
                                      const Job& job, const fs::path& video) {
   RecordingPass pass;
   RecordingCopy copy(source, finger.camera, video, job);
+  pass.video = copy.video().file();
   std::size_t cached_bytes = 0;
   auto block = copy.read();
   while (block && !block->empty()) {
@@ -193,7 +200,7 @@ Result<RecordingPass> read_recording(Source& source, const Camera& camera, const
     auto following = next.get();
     for (std::size_t i = 0; i < block->size(); ++i) {
       if ((*block)[i].frame) std::tie((*block)[i].dots, (*block)[i].edges) = std::move(found[i]);
-      add_to(pass, (*block)[i], cached_bytes);
+      add_to(pass, (*block)[i], copy.video().is_copied(), cached_bytes);
     }
     block = std::move(following);
   }
@@ -202,7 +209,13 @@ Result<RecordingPass> read_recording(Source& source, const Camera& camera, const
   return pass;
 }
 
-Status retain_frames(const fs::path& video, const std::vector<char>& keep, const Job& job) {
+Status retain_frames(const RecordingPass& pass, const std::vector<std::size_t>& selected,
+                     const fs::path& video, const Job& job) {
+  const bool is_written = pass.video == video;
+  if (is_written && static_cast<int>(selected.size()) == pass.video_frames) return {};
+  std::vector<char> keep(static_cast<std::size_t>(pass.video_frames), 0);
+  for (const std::size_t i : selected) keep[static_cast<std::size_t>(pass.in_video[i])] = 1;
+  if (!is_written) return copy_frames(pass.video, video, keep, job);
   fs::path full = video;
   full.replace_filename(video.stem().string() + ".whole" + video.extension().string());
   std::error_code problem;

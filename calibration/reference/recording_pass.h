@@ -24,9 +24,10 @@ namespace alltact {
 
 /// Results of the first pass.
 struct RecordingPass {
+  std::filesystem::path video;  ///< that holds the frames
   std::vector<FrameDots> frames;
-  std::vector<int> in_video;  ///< by frame, its number in the video written; -1: not written
-  int written = 0;
+  std::vector<int> in_video;  ///< by frame, its number in the video; -1: it is not in it
+  int video_frames = 0;
   /// By number in the video, the oriented images, so that they need not be decoded again; empty
   /// beyond the first 128 MB.
   std::vector<cv::Mat> greys;
@@ -34,16 +35,17 @@ struct RecordingPass {
   SettingsMonitor settings;
 };
 
-/// Reads the source to its end, writes every readable frame to `video` (lossless grey, as from the
-/// source) and finds dots. Errors: a wrong size; a source that fails permanently; the video cannot
-/// be written; a stopped job.
+/// Reads the source to its end and finds dots. Unless the source is a file without loss, writes
+/// every readable frame to `video` (lossless grey, as from the source). Errors: a wrong size; a
+/// source that fails permanently; the video cannot be written; a stopped job.
 [[nodiscard]] Result<RecordingPass> read_recording(Source& source, const Camera& camera,
                                                    const Finger& finger, const Job& job,
                                                    const std::filesystem::path& video);
 
-/// Rewrites the video with only some of its frames, in order. keep: by frame.
-[[nodiscard]] Status retain_frames(const std::filesystem::path& video,
-                                   const std::vector<char>& keep, const Job& job);
+/// Makes `video` hold the selected frames (numbers in the recording) of the pass, in order.
+[[nodiscard]] Status retain_frames(const RecordingPass& pass,
+                                   const std::vector<std::size_t>& selected,
+                                   const std::filesystem::path& video, const Job& job);
 
 // Frames of a recording that was just written, by their number in it, and their marker positions.
 
@@ -62,7 +64,6 @@ struct RecordingPass {
 /// The referenced objects must outlive this.
 struct RecordedVideo {
   const RecordingPass& pass;
-  const std::filesystem::path& file;
   const Finger& finger;
   const Camera& camera;
   VideoFile reader;

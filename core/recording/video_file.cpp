@@ -470,6 +470,13 @@ std::int64_t VideoFile::time_ns(std::size_t number) const {
 
 const std::vector<Message>& VideoFile::remarks() const { return state_->remarks; }
 
+std::optional<fs::path> VideoFile::lossless_file() const {
+  const bool is_lossless = state_->is_own() && state_->decoder &&
+                           state_->decoder->codec_id == AV_CODEC_ID_MAGICYUV &&
+                           state_->shown.size() == state_->entries.size();
+  return is_lossless ? std::optional(state_->file) : std::nullopt;
+}
+
 double VideoFile::frames_per_s() const { return state_->rate(); }
 
 Result<FramePtr> VideoFile::frame(std::size_t number) {

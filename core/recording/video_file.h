@@ -41,6 +41,8 @@ class VideoFile {
   [[nodiscard]] std::int64_t time_ns(std::size_t number) const;
   /// Approximate rate of the frames, 1/s.
   [[nodiscard]] double frames_per_s() const;
+  /// The file, where VideoWriter wrote it as kMagicYuv: copy_frames() copies what this class reads.
+  [[nodiscard]] std::optional<std::filesystem::path> lossless_file() const;
   /// What was assumed about a video of another program, and what makes it hard to measure; a
   /// sentence each.
   [[nodiscard]] const std::vector<Message>& remarks() const;

@@ -79,6 +79,9 @@ class VideoSource : public Source {
   [[nodiscard]] std::optional<std::size_t> count() const override { return video_.frame_count(); }
   [[nodiscard]] bool is_continuous() const override { return true; }
   [[nodiscard]] double frames_per_s() const override { return video_.frames_per_s(); }
+  [[nodiscard]] std::optional<std::filesystem::path> lossless_file() const override {
+    return position_ == 0 ? video_.lossless_file() : std::nullopt;
+  }
   [[nodiscard]] std::vector<Message> remarks() const override { return video_.remarks(); }
 
  private:

@@ -10,6 +10,7 @@
 #include <condition_variable>
 #include <cstdint>
 #include <deque>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -40,6 +41,12 @@ class Source {
 
   /// Approximate rate of the frames, 1/s.
   [[nodiscard]] virtual double frames_per_s() const { return 30.0; }
+
+  /// The video file whose frames these are, all of them, where copy_frames() can copy them: it
+  /// stores them without loss.
+  [[nodiscard]] virtual std::optional<std::filesystem::path> lossless_file() const {
+    return std::nullopt;
+  }
 
   /// What was assumed about the frames so far, and what makes them hard to measure; a sentence
   /// each.

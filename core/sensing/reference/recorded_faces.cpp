@@ -340,7 +340,8 @@ Result<RecordedFaces> read_recorded_faces(const RecordingInput& frames, const Fi
   }
 }
 
-RecordedFaces faces_of_rows(RecordedFaces faces, const std::vector<std::size_t>& rows) {
+RecordedFaces faces_of_rows(RecordedFaces faces, const std::vector<std::size_t>& rows,
+                            const MarkerTable& table, std::size_t limit_bytes) {
   // The new number of a row; nullopt: it is left out.
   const auto number_of = [&](std::size_t row) -> std::optional<std::size_t> {
     const auto found = std::lower_bound(rows.begin(), rows.end(), row);
@@ -350,12 +351,13 @@ RecordedFaces faces_of_rows(RecordedFaces faces, const std::vector<std::size_t>&
   RecordedFaces some;
   some.grid = std::move(faces.grid);
   some.positions = std::move(faces.positions);
+  FaceSelection selection(table, limit_bytes);
   for (std::size_t i = 0; i < faces.retained.size(); ++i)
-    if (const auto number = number_of(faces.retained[i])) {
-      some.retained.push_back(*number);
-      some.bytes += faces.faces[i].bytes();
-      some.faces.push_back(std::move(faces.faces[i]));
-    }
+    if (const auto number = number_of(faces.retained[i]))
+      selection.add(*number, std::move(faces.faces[i]));
+  some.retained = selection.rows();
+  some.bytes = selection.bytes();
+  for (const std::size_t row : some.retained) some.faces.push_back(selection.take(row));
   for (std::size_t i = 0; i < faces.seen.size(); ++i)
     if (const auto number = number_of(static_cast<std::size_t>(faces.seen[i]))) {
       some.seen.push_back(static_cast<Eigen::Index>(*number));

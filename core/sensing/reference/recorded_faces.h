@@ -112,10 +112,11 @@ struct RecordedFaces {
                                                         const Finger& finger, const Camera& camera,
                                                         std::size_t limit_bytes, const Job& job);
 
-/// Those of some rows of the marker table, ascending, renumbered from 0 on, on the same grid. Not
+/// Those of some rows of the marker table, ascending, renumbered from 0 on, on the same grid. Where
+/// their images exceed `limit_bytes`, only a covering subset is retained. table: of these rows. Not
 /// for the cache: `found` is empty.
-[[nodiscard]] RecordedFaces faces_of_rows(RecordedFaces faces,
-                                          const std::vector<std::size_t>& rows);
+[[nodiscard]] RecordedFaces faces_of_rows(RecordedFaces faces, const std::vector<std::size_t>& rows,
+                                          const MarkerTable& table, std::size_t limit_bytes);
 
 /// What read_recorded_faces() returned, from the cache, without images; nullopt where the cache
 /// does not fit the table and the camera.

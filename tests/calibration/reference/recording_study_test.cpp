@@ -1,9 +1,15 @@
 // What is found out about a recording, against what was put into it.
+#include "calibration/reference/make_reference.h"
 #include "calibration/reference/reference_recording.h"
+#include "core/base/atomic_file.h"
+#include "core/recording/video_file.h"
+#include "core/sources/file_source.h"
 #include "tests/support/marked_recording.h"
 #include "tests/support/scratch_folder.h"
 
 #include <algorithm>
+#include <array>
+#include <optional>
 #include <random>
 #include <set>
 
@@ -96,6 +102,51 @@ TEST(RecordingStudy, AFingerAtRestIsKeptOnce) {
   ASSERT_TRUE(report.ok()) << report.error().sentence();
   EXPECT_GT(report->repeated, kResting / 2);
   EXPECT_GT(report->frames_retained, kMoving / 2);
+}
+
+/// Of a video, but it does not tell which file that is.
+class PlainSource : public Source {
+ public:
+  explicit PlainSource(VideoSource& video) : video_(video) {}
+  Result<FramePtr> next() override { return video_.next(); }
+  std::optional<std::size_t> count() const override { return video_.count(); }
+  bool is_continuous() const override { return true; }
+  double frames_per_s() const override { return video_.frames_per_s(); }
+
+ private:
+  VideoSource& video_;
+};
+
+// A recording without loss is copied instead of being encoded again: the files are the same.
+TEST(RecordingStudy, ALosslessRecordingIsCopied) {
+  const MarkedFinger f = small_finger();
+  std::mt19937 random(24);
+  const std::filesystem::path folder = scratch_folder("take"), take = folder / "take.mkv";
+  std::optional<VideoWriter> writer;
+  constexpr int kResting = 30, kMoving = 100;
+  for (int i = 0; i < kResting + kMoving; ++i) {
+    Frame frame;
+    frame.grey = f.with_noise(f.clean(loop(std::max(0, i - kResting), 120)), random);
+    frame.time_ns = 1'000'000'000 + 33'400'000LL * i;
+    if (!writer) writer = VideoWriter::create(take, frame, VideoCodec::kMagicYuv, 30).value();
+    ASSERT_TRUE(writer->add(frame).ok());
+  }
+  ASSERT_TRUE(writer->finish().ok());
+  std::array<std::string, 2> videos;
+  for (const bool is_copied : {false, true}) {
+    VideoSource video(VideoFile::open(take).value(), {});
+    ASSERT_EQ(video.lossless_file(), take);
+    PlainSource plain(video);
+    Finger finger = described(f);
+    const auto installed = scratch_folder(is_copied ? "copied" : "encoded");
+    const auto report = install_reference(is_copied ? static_cast<Source&>(video) : plain,
+                                          installed, finger, Job{});
+    ASSERT_TRUE(report.ok()) << report.error().sentence();
+    EXPECT_GT(report->repeated, 0) << "not all frames are retained";
+    videos[is_copied ? 1 : 0] = read_file(installed / kReferenceVideo).value();
+  }
+  EXPECT_EQ(videos[0].size(), videos[1].size());
+  EXPECT_TRUE(videos[0] == videos[1]);
 }
 
 TEST(RecordingStudy, BendingIsMeasuredInMillimetres) {
