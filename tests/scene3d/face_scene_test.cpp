@@ -75,6 +75,17 @@ TEST_F(FaceSceneTest, ShowsDifferencesAroundZero) {
   EXPECT_LT(distance(at(middle_), of(cool_to_warm(0))), 12);
 }
 
+TEST_F(FaceSceneTest, WritesNumbersWithTheLanguagesDecimalMark) {
+  show(made_.make(193, 109));
+  const cv::Mat point = renderer_.image();
+  scene().set_colours({.decimal_mark = ','});
+  const cv::Mat changed = cv::Mat(point != renderer_.image()).reshape(1);
+  EXPECT_GT(cv::countNonZero(changed), 5);
+  EXPECT_LT(cv::countNonZero(changed), 2000) << "nothing but the labels of the colours";
+  scene().set_colours({});
+  EXPECT_EQ(cv::countNonZero(cv::Mat(point != renderer_.image()).reshape(1)), 0);
+}
+
 TEST_F(FaceSceneTest, FindsThePixelUnderThePointer) {
   made_.slope = 0.6;
   show(made_.make(193, 109));

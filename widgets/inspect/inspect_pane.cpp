@@ -1,6 +1,7 @@
 #include "widgets/inspect/inspect_pane.h"
 
 #include "core/sensing/depth/depth_sd.h"
+#include "widgets/controls/number_field.h"
 #include "widgets/image/overlays.h"
 #include "widgets/inspect/inspected_frame.h"
 #include "widgets/widget_base.h"
@@ -210,7 +211,8 @@ cv::Vec3b colour_of(const QColor& colour) {
 }  // namespace
 
 SceneColours scene_colours(const QPalette& palette) {
-  return {colour_of(palette.color(QPalette::Base)), colour_of(palette.color(QPalette::Text))};
+  return {colour_of(palette.color(QPalette::Base)), colour_of(palette.color(QPalette::Text)),
+          window_decimal_mark() == DecimalMark::kComma ? ',' : '.'};
 }
 
 FacePane::FacePane(QWidget* parent)
@@ -259,7 +261,9 @@ void FacePane::apply_appearance() {
 
 void FacePane::changeEvent(QEvent* event) {
   Translated::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange && scene_) apply_appearance();
+  const bool is_other =
+      event->type() == QEvent::PaletteChange || event->type() == QEvent::LanguageChange;
+  if (is_other && scene_) apply_appearance();
 }
 
 void FacePane::resizeEvent(QResizeEvent* event) {

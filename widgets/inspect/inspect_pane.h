@@ -70,7 +70,7 @@ class FacePane : public Translated<VtkView> {
   std::optional<Press> pressed_;
 };
 
-/// The palette's colours for a scene.
+/// The palette's colours for a scene, and the decimal mark of the window's language.
 [[nodiscard]] SceneColours scene_colours(const QPalette& palette);
 
 class InspectPane : public Translated<QWidget> {

@@ -24,10 +24,10 @@
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
-#include <vtkProperty2D.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkScalarBarActor.h>
+#include <vtkScalarBarActorInternal.h>
 #include <vtkSmartPointer.h>
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
@@ -160,6 +160,36 @@ class SceneView {
   std::optional<Eigen::Vector3d> eye_set_;  // the eye that look_at() set
 };
 
+/// Writes numbers with another decimal mark than the C locale's.
+class BarActor : public vtkScalarBarActor {
+ public:
+  static BarActor* New() {
+    auto* actor = new BarActor;
+    actor->InitializeObjectBase();
+    return actor;
+  }
+
+  void set_decimal_mark(char mark) {
+    if (mark == mark_) return;
+    mark_ = mark;
+    Modified();
+  }
+
+ protected:
+  void RebuildLayout(vtkViewport* viewport) override {
+    vtkScalarBarActor::RebuildLayout(viewport);
+
+    for (const auto& label : P->TextActors) {
+      std::string text = label->GetInput() != nullptr ? label->GetInput() : "";
+      std::replace(text.begin(), text.end(), '.', mark_);
+      label->SetInput(text.c_str());
+    }
+  }
+
+ private:
+  char mark_ = '.';
+};
+
 constexpr double kWidth = 78, kHeight = 340;  // in pixels at scale 1
 
 class ColourBar {
@@ -173,7 +203,6 @@ class ColourBar {
     bar_->SetTextPad(4);
     bar_->SetVerticalTitleSeparation(10);
     bar_->SetMaximumNumberOfColors(kSteps);
-    bar_->DrawBackgroundOn();  // legible over the finger
     bar_->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
     for (vtkTextProperty* text : {bar_->GetLabelTextProperty(), bar_->GetTitleTextProperty()}) {
       text->ItalicOff();
@@ -198,9 +227,9 @@ class ColourBar {
     }
     colours_->Build();
   }
-  void apply_style(const cv::Vec3b& ground, const cv::Vec3b& text) {
-    bar_->GetBackgroundProperty()->SetColor(ground[0] / 255.0, ground[1] / 255.0,
-                                            ground[2] / 255.0);
+  void apply_style(const SceneColours& colours) {
+    const cv::Vec3b& text = colours.text;
+    bar_->set_decimal_mark(colours.decimal_mark);
     for (vtkTextProperty* property : {bar_->GetLabelTextProperty(), bar_->GetTitleTextProperty()}) {
       property->SetColor(text[0] / 255.0, text[1] / 255.0, text[2] / 255.0);
       property->SetFontSize(kLetterPoints);
@@ -223,7 +252,7 @@ class ColourBar {
 
  private:
   static constexpr int kSteps = 256;  // colours
-  vtkNew<vtkScalarBarActor> bar_;
+  vtkNew<BarActor> bar_;
   vtkNew<vtkLookupTable> colours_;
 };
 
@@ -384,7 +413,7 @@ void FaceScene::State::apply_style() {
   second.apply_style(colours, scale);
   gripper.apply_style(scale);
   mark_actors.apply_style(scale);
-  bar.apply_style(ground, text);
+  bar.apply_style(colours);
   bar.set_position(window->GetSize(), scale);
   gap->GetProperty()->SetColor(text[0] / 255.0, text[1] / 255.0, text[2] / 255.0);
   gap->GetProperty()->SetLineWidth(static_cast<float>(2 * scale));

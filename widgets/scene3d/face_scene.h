@@ -21,6 +21,7 @@ namespace alltact {
 
 struct SceneColours {
   cv::Vec3b ground{255, 255, 255}, text{0, 0, 0};  ///< red, green, blue
+  char decimal_mark = '.';
 };
 
 /// On the face, by image pixels.
