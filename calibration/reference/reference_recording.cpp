@@ -26,6 +26,18 @@ double touch_threshold_px(double marker_noise_px, std::size_t markers) {
   return std::max(kTouchSigmas * marker_noise_px * std::sqrt(2 * count), kTouchFloorPx * count);
 }
 
+/// The motion of a marker that no frame shows is unknown, and with it its estimate in one frame.
+std::vector<Eigen::Vector2d> rest_markers(const NumberedRecording& numbered, std::size_t rest) {
+  std::vector<Eigen::Vector2d> positions;
+  for (const Marker& marker : *numbered.markers[rest]) {
+    const auto m = static_cast<int>(positions.size());
+    const bool is_missing = std::binary_search(numbered.missing.begin(), numbered.missing.end(), m);
+    const Dot& typical = numbered.typical[positions.size()];
+    positions.emplace_back(is_missing ? typical.u : marker.u, is_missing ? typical.v : marker.v);
+  }
+  return positions;
+}
+
 void remark(const MarkerTable& table, ReferenceReport& report) {
   std::size_t estimated = 0;
   for (const auto& row : table.seen)
@@ -102,8 +114,7 @@ Result<ReferenceReport> install_reference(Source& source, const fs::path& folder
   finger.reference = described.reference;
   finger.markers = described.markers;
   ContactSettings contact;
-  for (const Marker& marker : *made.numbered.markers[made.rest])
-    contact.rest_markers.emplace_back(marker.u, marker.v);
+  contact.rest_markers = rest_markers(made.numbered, made.rest);
   contact.threshold_px =
       touch_threshold_px(made.numbered.marker_noise_px, contact.rest_markers.size());
   finger.contact = std::move(contact);

@@ -259,6 +259,35 @@ TEST(InstallReference, AMarkerThatWasNeverEngravedIsSaidToBeMissingAndTheOthersW
   }
 }
 
+// Their motion is unknown: an estimate of it may put them anywhere.
+TEST(InstallReference, MissingMarkersRestAtOnePositionWhicheverFrameIsTheRest) {
+  const MarkedFinger f = small_finger();
+  std::mt19937 random(23);
+  const std::vector<int> missing{8, 9, 10, 11};
+  constexpr int kFrames = 60;
+  MemorySource source;
+  for (int i = 0; i < kFrames; ++i)
+    source.images.push_back(f.with_noise(f.clean(pose(i, kFrames), missing), random));
+  std::vector<std::vector<Eigen::Vector2d>> rests;
+  for (const int rest : {5, 35}) {
+    MemorySource again = source;
+    Finger finger = described(f);
+    ReferenceChoices choices;
+    choices.rest_frame = rest;
+    const auto report = install_reference(again, scratch_folder("an_end"), finger, Job{}, choices);
+    ASSERT_TRUE(report.ok()) << report.error().sentence();
+    ASSERT_EQ(report->missing, missing);
+    rests.push_back(finger.contact->rest_markers);
+  }
+  EXPECT_GT((rests[0][2] - rests[1][2]).norm(), 1.0) << "those that are seen move";
+  for (const int m : missing) {
+    const Eigen::Vector2d& marker = rests[0][static_cast<std::size_t>(m)];
+    EXPECT_EQ(marker, rests[1][static_cast<std::size_t>(m)]) << m;
+    EXPECT_TRUE(marker.x() >= 0 && marker.x() < f.width) << marker.transpose();
+    EXPECT_TRUE(marker.y() >= 0 && marker.y() < f.height) << marker.transpose();
+  }
+}
+
 TEST(InstallReference, WithoutMarkersTheShapeOfTheFaceTellsThePose) {
   const MarkedFinger f = small_finger();
   std::mt19937 random(22);
