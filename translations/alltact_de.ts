@@ -9983,7 +9983,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>press next: {}, {:.1f} mm deep; that would reduce the standard deviation of depth from {:.4f} mm to {:.4f} mm</source>
-        <translation>als Nächstes drücken: {}, {} mm tief; das würde die Standardabweichung der Tiefe von {} mm auf {} mm senken</translation>
+        <translation>als Nächstes drücken: {}, {} mm tief; Standardabweichung der Tiefe {} → {} mm</translation>
     </message>
     <message>
         <source>looking for the ball in {}</source>
