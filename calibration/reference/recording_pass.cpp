@@ -25,6 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMaxCachedBytes = std::size_t{128} << 20;
+constexpr int kMaxTraced = 8192;  // frames whose edges are remembered: 10 kB each
 
 // The reference video, created at its first frame; none where the recording is copied later.
 class ReferenceVideo {
@@ -166,7 +167,7 @@ void add_to(RecordingPass& pass, ReadFrame& read, bool is_in_video, std::size_t&
   if (pass.in_video.back() < 0) return;
   ++pass.video_frames;
   if (read.frame) pass.settings.add(*read.frame);
-  pass.edges.push_back(std::move(read.edges));
+  pass.edges.push_back(pass.video_frames <= kMaxTraced ? std::move(read.edges) : FaceEdges());
   const std::size_t bytes = read.grey.total();
   const bool has_room = cached_bytes + bytes <= kMaxCachedBytes;
   pass.greys.push_back(has_room ? read.grey : cv::Mat());
@@ -272,6 +273,12 @@ Result<cv::Mat> RecordedVideo::frame(std::size_t number) {
   return oriented_frame(reader, number, finger.camera);
 }
 
+std::optional<FaceEdges> RecordedVideo::edges(std::size_t number, const cv::Mat& grey) const {
+  if (!pass.edges[number].u.empty()) return pass.edges[number];
+  auto traced = FaceEdgeFinder({.view = FaceView{camera, finger.face.width_mm}})(grey);
+  return traced ? std::optional(std::move(*traced)) : std::nullopt;
+}
+
 namespace {
 
 constexpr double kPatchMm = 1.5;  // a side
@@ -328,7 +335,7 @@ class Study {
 
   [[nodiscard]] bool is_compared(std::size_t index) const { return index % apart_ == 0; }
 
-  /// grey: empty for a frame that is not compared.
+  /// grey: of a frame that is compared.
   [[nodiscard]] StudiedFrame frame(std::size_t index, const FaceShape& shape, const cv::Mat& grey,
                                    double noise_sd) const {
     StudiedFrame studied;
@@ -336,7 +343,7 @@ class Study {
     const Markers& markers = numbered_[index];
     for (std::size_t pair = 0; pair < markers.size() / 2; ++pair)
       studied.pairs.push_back(tip_pose(markers, pair, shape));
-    if (grey.empty()) return studied;
+    if (!is_compared(index)) return studied;
     std::vector<char> without(library_.frame_count(), 0);
     const std::size_t first = index > gap_ ? index - gap_ : 0;
     for (std::size_t i = first; i <= index + gap_ && i < without.size(); ++i) without[i] = 1;
@@ -405,8 +412,9 @@ Result<RecordingStudy> study_recording(const ReferenceLibrary& library,
                en::say("comparing frame {} of {}", first + 1, count));
     greys.assign(std::min(kAtOnce, count - first), cv::Mat());
     for (std::size_t k = 0; k < greys.size(); ++k) {
-      if (!study.is_compared(first + k)) continue;
-      auto grey = video.frame(static_cast<std::size_t>(library.frame_numbers()[first + k]));
+      const auto number = static_cast<std::size_t>(library.frame_numbers()[first + k]);
+      if (!study.is_compared(first + k) && !video.pass.edges[number].u.empty()) continue;
+      auto grey = video.frame(number);
       if (!grey) return grey.error();
       greys[k] = std::move(*grey);
     }
@@ -416,11 +424,12 @@ Result<RecordingStudy> study_recording(const ReferenceLibrary& library,
         const std::size_t i = first + static_cast<std::size_t>(k);
         StudiedFrame& studied = result.frames[i];
         studied.number = library.frame_numbers()[i];
-        const FaceEdges& edges = video.pass.edges[static_cast<std::size_t>(studied.number)];
+        const cv::Mat& grey = greys[static_cast<std::size_t>(k)];
+        const auto edges = video.edges(static_cast<std::size_t>(studied.number), grey);
+        if (!edges) continue;
         const auto shape =
-            FaceShape::fit(edges, video.camera, video.finger.face, kDefaultProfileDegree);
-        if (shape)
-          studied = study.frame(i, *shape, greys[static_cast<std::size_t>(k)], edges.noise_sd);
+            FaceShape::fit(*edges, video.camera, video.finger.face, kDefaultProfileDegree);
+        if (shape) studied = study.frame(i, *shape, grey, edges->noise_sd);
       }
     });
   }

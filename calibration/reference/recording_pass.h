@@ -31,7 +31,8 @@ struct RecordingPass {
   /// By number in the video, the oriented images, so that they need not be decoded again; empty
   /// beyond the first 128 MB.
   std::vector<cv::Mat> greys;
-  std::vector<FaceEdges> edges;  ///< by number in the video; without columns: no face was found
+  /// By number in the video; without columns: no face was found, or the recording is long.
+  std::vector<FaceEdges> edges;
   SettingsMonitor settings;
 };
 
@@ -70,6 +71,8 @@ struct RecordedVideo {
 
   /// By its number in the video; CV_8UC1, oriented as the finger's camera.
   [[nodiscard]] Result<cv::Mat> frame(std::size_t number);
+  /// Those of the pass, else traced in the frame's image. nullopt: the frame shows no face.
+  [[nodiscard]] std::optional<FaceEdges> edges(std::size_t number, const cv::Mat& grey) const;
 };
 
 // Quality of a reference recording: frames compared with their estimates from the others.
