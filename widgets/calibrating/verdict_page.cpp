@@ -29,7 +29,7 @@ namespace {
 
 constexpr int kVerdictSymbol = 40;
 constexpr int kMinPlotHeight = 110;
-constexpr int kTextSpacing = 2;
+constexpr int kTextSpacing = 1;
 constexpr std::size_t kShownFindings = 4;  // the others come first in the remarks
 
 }  // namespace
@@ -60,7 +60,7 @@ VerdictPage::VerdictPage(CalibrationRun& run, QWidget* parent)
       report_state_(wrapped_text()),
       command_(wrapped_text()) {
   auto* column = without_margins(new QVBoxLayout(this));
-  column->setSpacing(4);
+  column->setSpacing(2);
   make_head(*column);
   for (Plot* plot : std::initializer_list<Plot*>{face_, errors_, mapping_})
     plot->setMinimumHeight(kMinPlotHeight);
