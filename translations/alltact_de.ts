@@ -6497,7 +6497,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>The paper&apos;s formulas or another setting measure the same frame again. With another frame or recording, the same positions on the face are compared. A body is turned and shifted until it fits the deeper part of the largest contact; the difference shows where the skin does not follow it.</source>
-        <translation>Die Formeln der Quellarbeit oder eine andere Einstellung messen dasselbe Bild erneut. Mit einem anderen Bild oder einer anderen Aufnahme werden dieselben Positionen der Fläche verglichen. Ein Körper wird gedreht und verschoben, bis er zum tieferen Teil des größten Kontakts passt; die Differenz zeigt, wo die Haut ihm nicht folgt.</translation>
+        <translation>Die Formeln der Quellarbeit oder eine andere Einstellung messen dasselbe Bild erneut. Mit einem anderen Bild oder einer anderen Aufnahme werden dieselben Positionen der Fläche verglichen. Ein Körper wird gedreht und verschoben, bis er zum tieferen Teil des größten Kontakts passt; der Unterschied zeigt, wo die Haut ihm nicht folgt.</translation>
     </message>
     <message>
         <source>frame %1 of %2</source>
@@ -6516,8 +6516,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Körper zum Vergleich, in mm</translation>
     </message>
     <message>
-        <source>Meshes (*.stl *.obj)</source>
-        <translation>Netze (*.stl *.obj)</translation>
+        <source>Meshes (*.stl *.obj *.STL *.OBJ)</source>
+        <translation>Netze (*.stl *.obj *.STL *.OBJ)</translation>
     </message>
     <message>
         <source>Recording to compare with</source>

@@ -6468,8 +6468,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>用于比较的物体（毫米）</translation>
     </message>
     <message>
-        <source>Meshes (*.stl *.obj)</source>
-        <translation>网格 (*.stl *.obj)</translation>
+        <source>Meshes (*.stl *.obj *.STL *.OBJ)</source>
+        <translation>网格 (*.stl *.obj *.STL *.OBJ)</translation>
     </message>
     <message>
         <source>Recording to compare with</source>

@@ -1,6 +1,7 @@
 #include "calibration/live/body_comparison.h"
 
 #include "calibration/joint/body_pose.h"
+#include "calibration/presses/press.h"
 #include "core/numerics/parallel.h"
 
 #include <algorithm>
@@ -25,8 +26,8 @@ constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 /// The largest connected part that is deeper than a fraction of its depth; single pixels may be
 /// noise, so the greatest depth is that of a smoothed map. Empty: nothing is pressed in.
 cv::Mat pressed_mask(const cv::Mat& depth_mm) {
-  cv::Mat known, smooth = depth_mm.clone(), labels, stats, middles;
-  cv::Mat(depth_mm == depth_mm).copyTo(known);
+  const cv::Mat known = measured_pixels(depth_mm);
+  cv::Mat smooth = depth_mm.clone(), labels, stats, middles;
   smooth.setTo(0.0F, ~known);
   cv::GaussianBlur(smooth, smooth, {}, 1.5);
   double deepest_mm = 0;
@@ -90,33 +91,25 @@ std::optional<double> depth_at(const BodyInPose& body, const Vector3d& untouched
   return std::nullopt;
 }
 
-/// NaN where the body does not press in. Blocks of pixels that are too far from it are passed over.
+/// NaN where the body does not press in.
 cv::Mat depths_of(const BodyInPose& body, const cv::Mat& points_mm, const cv::Mat& depth_mm) {
-  constexpr int kBlockPx = 8;
   cv::Mat depths(depth_mm.size(), CV_32FC1, cv::Scalar(kNaN));
-  const auto fill = [&](int first_v, int first_u) {
-    const int end_v = std::min(first_v + kBlockPx, depth_mm.rows),
-              end_u = std::min(first_u + kBlockPx, depth_mm.cols);
-    std::optional<Vector3d> any;
-    for (int v = first_v; v < end_v; ++v)
-      for (int u = first_u; u < end_u; ++u) {
+  parallel_for(depth_mm.rows, default_threads(), [&](int first, int last) {
+    // A gap changes by no more than the distance between two points: near pixels that the body
+    // cannot reach are passed over.
+    Vector3d known = Vector3d::Zero();
+    double known_gap_mm = -1;
+    for (int v = first; v < last; ++v)
+      for (int u = 0; u < depth_mm.cols; ++u) {
         const Vector3d untouched = untouched_mm(points_mm, depth_mm, v, u);
         if (!untouched.allFinite()) continue;
-        if (!any) {
-          any = untouched;
-          const auto across = points_mm.at<cv::Vec3f>(std::min(v + 1, points_mm.rows - 1), u);
-          const double pixel_mm = std::abs(static_cast<double>(across[1]) - untouched.y());
-          const double block_mm = std::isfinite(pixel_mm) ? 6.0 * kBlockPx * pixel_mm : 1e3;
-          if (body.gap_mm(untouched) > body.beyond_mm + block_mm) return;
-        }
+        if (known_gap_mm - (untouched - known).norm() > body.beyond_mm) continue;
+        known = untouched;
+        known_gap_mm = body.gap_mm(untouched);
+        if (known_gap_mm > body.beyond_mm) continue;
         if (const auto depth = depth_at(body, untouched))
           depths.at<float>(v, u) = static_cast<float>(*depth);
       }
-  };
-  const int blocks = (depth_mm.rows + kBlockPx - 1) / kBlockPx;
-  parallel_for(blocks, default_threads(), [&](int first, int last) {
-    for (int block = first; block < last; ++block)
-      for (int u = 0; u < depth_mm.cols; u += kBlockPx) fill(block * kBlockPx, u);
   });
   return depths;
 }

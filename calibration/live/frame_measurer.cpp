@@ -191,9 +191,7 @@ void FrameMeasurer::compare_with_body(MeasuredFrame& frame, const std::filesyste
 void FrameMeasurer::compare(MeasuredFrame& frame, const ComparisonSpec& other, bool is_next,
                             const Job& job) {
   if (other.method == OtherMethod::kBody) return compare_with_body(frame, other.file, job);
-  const bool is_other_frame =
-      other.method == OtherMethod::kFrame || other.method == OtherMethod::kRecording;
-  if (is_other_frame) {
+  if (is_other_frame(other.method)) {
     auto result = measure_other_frame(other, job);
     if (result)
       frame.other = std::move(*result);
@@ -209,8 +207,9 @@ void FrameMeasurer::compare(MeasuredFrame& frame, const ComparisonSpec& other, b
     if (result) frame.other = std::move(*result);
   }
   if (!frame.other || !frame.other->depth || !frame.result.depth) return;
-  frame.difference_mm = is_other_frame ? difference_on_face(frame.result, *frame.other)
-                                       : difference_of(frame.result, *frame.other);
+  frame.difference_mm = is_other_frame(other.method)
+                            ? difference_on_face(frame.result, *frame.other)
+                            : difference_of(frame.result, *frame.other);
 }
 
 Result<MeasuredFrame> FrameMeasurer::measure(std::size_t number, const ComparisonSpec& other,

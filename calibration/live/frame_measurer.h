@@ -28,6 +28,9 @@ enum class OtherMethod {
   kBody,       ///< a nominal body in the pose that fits best (body_comparison.h)
 };
 
+[[nodiscard]] constexpr bool is_other_frame(OtherMethod method) {
+  return method == OtherMethod::kFrame || method == OtherMethod::kRecording;
+}
 [[nodiscard]] constexpr bool needs_file(OtherMethod method) {
   return method == OtherMethod::kRecording || method == OtherMethod::kBody;
 }

@@ -348,11 +348,10 @@ void ViewBox::ask_for_comparand(OtherMethod method,
                                 const std::function<void(std::filesystem::path)>& use) {
   if (method == OtherMethod::kBody)
     return ask_for_file(this, FilesOf::kMeshes, tr("Body to compare with, in mm"),
-                        tr("Meshes (*.stl *.obj)"),
+                        tr("Meshes (*.stl *.obj *.STL *.OBJ)"),
                         [use](const QString& file) { use(file.toStdString()); });
   ask_for_file(this, FilesOf::kRecordings, tr("Recording to compare with"),
-               video_filter(QStringLiteral("*.png *.jpg *.jpeg *.bmp *.tif *.tiff *.pgm")),
-               [use](const QString& chosen) {
+               video_filter() + QLatin1String(";;") + image_filter(), [use](const QString& chosen) {
                  std::filesystem::path file = chosen.toStdString();
                  use(is_image_file(file) ? file.parent_path() : file);
                });
@@ -407,8 +406,7 @@ void ViewBox::show_rows() {
   show(with_, is_compared);
   show(setting_, is_compared && options_.with.method == OtherMethod::kSetting);
   show(file_, is_compared && needs_file(options_.with.method));
-  show(frame_, is_compared && (options_.with.method == OtherMethod::kFrame ||
-                               options_.with.method == OtherMethod::kRecording));
+  show(frame_, is_compared && is_other_frame(options_.with.method));
   show(top_, comparison != Comparison::kDifference);
   show(difference_top_, comparison == Comparison::kDifference);
 }

@@ -599,7 +599,7 @@ QString InspectPage::title_of(bool is_second) const {
   if (!options_.second) {
     QString other = comparand_text(options_.with);
     if (const auto& frame = inspection_.frame(); frame && frame->body_rms_mm)
-      other = tr("%1, %2 mm rms off").arg(other, QLocale().toString(*frame->body_rms_mm, 'f', 3));
+      other = tr("%1, %2 mm rms off").arg(other, plain_number(*frame->body_rms_mm, 3));
     if (is_second) return tr("Compared with: %1").arg(other);
     const Comparison comparison = options_.shown_comparison();
     return comparison == Comparison::kSideBySide   ? tr("Shown")

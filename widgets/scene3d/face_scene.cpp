@@ -178,7 +178,6 @@ class BarActor : public vtkScalarBarActor {
  protected:
   void RebuildLayout(vtkViewport* viewport) override {
     vtkScalarBarActor::RebuildLayout(viewport);
-
     for (const auto& label : P->TextActors) {
       std::string text = label->GetInput() != nullptr ? label->GetInput() : "";
       std::replace(text.begin(), text.end(), '.', mark_);

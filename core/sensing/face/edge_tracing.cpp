@@ -75,9 +75,9 @@ bool is_near_dot(double outside, double contrast, double around) {
 /// Change of the outside level from one valid sample to the next, by the median of their
 /// differences over [first, last]. Those between a dot and a gap cancel: they occur with both
 /// signs.
-double median_trend(const Followed& followed, int first, int last) {
+double median_trend(const Followed& followed, int first, int last, std::vector<double>& steps) {
   constexpr int kApart = 3;
-  std::vector<double> steps;
+  steps.clear();
   const auto valid = [&](int i) { return followed.edge.valid[static_cast<std::size_t>(i)] != 0; };
   const auto level = [&](int i) { return followed.outside[static_cast<std::size_t>(i)]; };
   for (int i = first; i + kApart <= last; ++i)
@@ -91,12 +91,12 @@ double median_trend(const Followed& followed, int first, int last) {
 std::vector<double> between_dots(const Followed& followed) {
   constexpr int kReachSamples = 5;
   const auto count = static_cast<int>(followed.outside.size());
-  std::vector<double> dark(followed.outside.size(), NAN), bright = dark, around;
+  std::vector<double> dark(followed.outside.size(), NAN), bright = dark, around, steps;
   double spread_dark = 0, spread_bright = 0;
   for (int i = 0; i < count; ++i) {
     around.clear();
     const int first = std::max(0, i - kReachSamples), last = std::min(count - 1, i + kReachSamples);
-    const double trend = median_trend(followed, first, last);
+    const double trend = median_trend(followed, first, last, steps);
     for (int j = first; j <= last; ++j)
       if (followed.edge.valid[static_cast<std::size_t>(j)])
         around.push_back(followed.outside[static_cast<std::size_t>(j)] + trend * (i - j));
