@@ -25,7 +25,7 @@ constexpr double kShapeSd = 0.05;
 constexpr double kAlike = 2.0;   // times the shortest interval of ratios
 constexpr double kPatches = 30;  // of the face; errors of references are correlated within each
 constexpr int kMinBlocks = 20;
-constexpr double kBrighter = 0.05;  // more than any halo around a contact
+constexpr double kBrighter = 0.03;  // more than any halo around a contact
 // A second light is searched for where at least this share of the face is brighter than the first
 // fit. At least this share of those blocks must be its inliers, and at most this share may stay
 // brighter.

@@ -37,7 +37,7 @@ class LightGain {
   [[nodiscard]] double change() const { return 1.0 / (1.0 + terms_[0]) - 1.0; }
   /// Fraction of the face without contact, 0 to 1, to which the change was fitted.
   [[nodiscard]] double inlier_fraction() const { return inlier_fraction_; }
-  /// Fraction of the face that is clearly brighter (5 %, and 5 sd) than its reference after the
+  /// Fraction of the face that is clearly brighter (3 %, and 5 sd) than its reference after the
   /// correction. Nearly 0 on the recorded finger, since contacts darken.
   [[nodiscard]] double brighter() const { return brighter_; }
   /// Noise of contact-free skin against its reference, relative to the estimate from second
@@ -56,7 +56,7 @@ class LightGain {
 
 /// Fits q robustly to the ratio of both images, in blocks of some pixels. Skin that is pressed or
 /// bulges is an outlier as long as a third of the face is free. A tenth is enough where contacts
-/// darken by more than 5 %: no light may leave so much of the face brighter than its reference. The
+/// darken by more than 3 %: no light may leave so much of the face brighter than its reference. The
 /// smaller the free part, the stronger the prior towards a constant change. A change of the light
 /// that resembles a contact is not found. A contact as wide and even as a change of the light is
 /// taken for one.
