@@ -362,12 +362,12 @@ cv::Range away_from_ends(const cv::Mat& x) {
   return last < first ? cv::Range(0, 0) : cv::Range(first + margin, last - margin + 1);
 }
 
-/// The border of an end of the face, and no contact.
+/// The border of an end of the face, and no contact. Its width is a mean: noise frays its sides.
 bool is_end_of_face(const Patch& patch, const cv::Range& away_from_ends) {
-  constexpr int kNarrow = 3;  // times higher than wide
+  constexpr int kNarrow = 3;  // times higher than wide; half a disc is 2.5 times
   const bool is_at_end =
       patch.box.x < away_from_ends.start || patch.box.x + patch.box.width > away_from_ends.end;
-  return is_at_end && patch.box.height > kNarrow * patch.box.width;
+  return is_at_end && patch.box.height * patch.box.height > kNarrow * patch.pixels;
 }
 
 /// Makes the dark borders of the face's ends unmeasured; false: there are none.
@@ -483,10 +483,13 @@ Inside analyse_inside(const Press& press, const cv::Mat& x, const Circle& circle
 }
 
 Result<BallGuess> find(const Press& press, const Face& face) {
+  constexpr int kMostBorders = 4;
   const double ball_radius_mm = press.ball_radius_mm;
   cv::Mat x = smoothed(press.difference.x);
   auto dark = dark_regions(x);
-  if (dark && leave_out_ends(*dark, &x)) dark = dark_regions(x);
+  // Behind the darkest border there may be one that only this level shows.
+  for (int i = 0; dark && i < kMostBorders && leave_out_ends(*dark, &x); ++i)
+    dark = dark_regions(x);
   if (!dark)
     return refuse(press,
                   en::say("hardly any pixel of the face could be compared with the reference"),

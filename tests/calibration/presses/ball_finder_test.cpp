@@ -125,6 +125,22 @@ TEST(BallFinder, TheDarkBorderOfAnEndIsNoContact) {
   }
 }
 
+TEST(BallFinder, ABorderThatFadesInwardIsNoContact) {
+  std::mt19937 random(14);
+  const MadeScene scene = flat_scene();
+  const Made alone = make_press(scene, {}, {}, {{210, 150, 4.0, 0.6}}, 1.0, random);
+  const auto expected = find_ball(alone.press, scene.face);
+  ASSERT_TRUE(expected.ok());
+  Press press = alone.press;
+  press.difference.x = alone.press.difference.x.clone();
+  float more = 0.9F;
+  for (int column = 399; column > 386; column -= 4, more *= 0.5F)
+    press.difference.x(cv::Rect(column - 3, 20, 4, 260)) += more;
+  const auto ball = find_ball(press, scene.face);
+  ASSERT_TRUE(ball.ok()) << ball.error().sentence();
+  EXPECT_LT((ball->centre_mm - expected->centre_mm).norm(), 0.05);
+}
+
 TEST(BallFinder, LettersAndBarsAreRefused) {
   const MadeScene scene = flat_scene();
   cv::Mat t = noise(scene.camera.size(), 0.01);
