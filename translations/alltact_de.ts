@@ -4580,6 +4580,10 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>Six presses are taken. Tick it again to take six more.</source>
         <translation>Sechs Eindrücke sind aufgenommen. Haken Sie es wieder an, um sechs weitere aufzunehmen.</translation>
     </message>
+    <message>
+        <source>Waiting for the ball&apos;s radius.</source>
+        <translation>Wartet auf den Radius der Kugel.</translation>
+    </message>
 </context>
 <context>
     <name>alltact::PressesPlot</name>
@@ -6081,10 +6085,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Nehmen Sie ihn eine halbe Minute beim Biegen auf und richten Sie die Aufnahme dann als Referenz ein.</translation>
     </message>
     <message>
-        <source>Enter the ball&apos;s radius, 4 mm, and press Space each time the ball is in: six times.</source>
-        <translation>Geben Sie den Radius der Kugel ein, 4 mm, und drücken Sie jedes Mal die Leertaste, wenn die Kugel eingedrückt ist: sechsmal.</translation>
-    </message>
-    <message>
         <source>Calibrate with these presses and read the verdict.</source>
         <translation>Kalibrieren Sie mit diesen Eindrücken und lesen Sie das Urteil.</translation>
     </message>
@@ -6099,6 +6099,10 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>Wait:</source>
         <translation>Bitte warten:</translation>
+    </message>
+    <message>
+        <source>Enter the ball&apos;s radius, 4 mm. Each press that is held still is taken, until there are six.</source>
+        <translation>Geben Sie den Radius der Kugel ein, 4 mm. Jeder Eindruck, der still gehalten wird, wird aufgenommen, bis es sechs sind.</translation>
     </message>
 </context>
 <context>

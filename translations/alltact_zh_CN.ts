@@ -4553,6 +4553,10 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>Six presses are taken. Tick it again to take six more.</source>
         <translation>已拍摄六次按压。再次勾选可再拍摄六次。</translation>
     </message>
+    <message>
+        <source>Waiting for the ball&apos;s radius.</source>
+        <translation>等待输入球的半径。</translation>
+    </message>
 </context>
 <context>
     <name>alltact::PressesPlot</name>
@@ -6036,10 +6040,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>请录制它弯曲的过程半分钟，然后将录像设为参考。</translation>
     </message>
     <message>
-        <source>Enter the ball&apos;s radius, 4 mm, and press Space each time the ball is in: six times.</source>
-        <translation>请输入球半径 4 mm，每当球压入时按空格键：共六次。</translation>
-    </message>
-    <message>
         <source>Calibrate with these presses and read the verdict.</source>
         <translation>请用这些按压进行标定，并阅读结论。</translation>
     </message>
@@ -6054,6 +6054,10 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>Wait:</source>
         <translation>请稍候：</translation>
+    </message>
+    <message>
+        <source>Enter the ball&apos;s radius, 4 mm. Each press that is held still is taken, until there are six.</source>
+        <translation>请输入球半径 4 mm。每次保持静止的按压都会自动拍摄，拍满六次为止。</translation>
     </message>
 </context>
 <context>

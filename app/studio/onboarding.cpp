@@ -157,7 +157,8 @@ QString Tutorial::what_next() const {
       return tr("Record it for half a minute while it bends, then install the recording.");
     case Step::kPresses:
       return tr(
-          "Enter the ball's radius, 4 mm, and press Space each time the ball is in: six times.");
+          "Enter the ball's radius, 4 mm. Each press that is held still is taken, until there are "
+          "six.");
     case Step::kCalibrate:
       return tr("Calibrate with these presses and read the verdict.");
     case Step::kCheck:

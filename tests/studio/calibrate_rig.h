@@ -29,6 +29,16 @@ namespace alltact::test {
 /// Such a finger that holds still, with the ball pressed in by 0.8 mm.
 [[nodiscard]] std::string still_scene();
 
+/// While it lives, a new finger's presses are taken as they are held still, as for somebody who has
+/// never chosen otherwise. Before the window is made.
+class PressesWhenStill {
+ public:
+  PressesWhenStill();
+  ~PressesWhenStill();
+  PressesWhenStill(const PressesWhenStill&) = delete;
+  PressesWhenStill& operator=(const PressesWhenStill&) = delete;
+};
+
 /// Whether a label that is shown has these words.
 [[nodiscard]] bool says(Studio& studio, const char* words);
 

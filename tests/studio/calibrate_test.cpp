@@ -103,15 +103,16 @@ TEST(Calibrate, ForgetsAFingersVerdictAsSoonAsAnotherIsOpened) {
 }
 
 TEST(Calibrate, TakesPressesByItselfWhenTheyHoldStill) {
+  const PressesWhenStill unchanged;
   CalibrateStudio rig;
   // Each is held for 0.8 s: longer than the half second that is asked for.
   must(write_file_atomically(rig.folder() / "pressing.yaml", pressing_scene(24)));
   rig.open();
   rig.go_to_step("Presses");
-  rig.type_radius("4");
   auto* box = rig.studio().find<QCheckBox>("Automatically when still");
-  box->setFocus();
-  QTest::keyClick(box, Qt::Key_Space);
+  EXPECT_TRUE(box->isChecked());
+  EXPECT_TRUE(wait_until([&] { return says(rig.studio(), "Waiting for the ball's radius."); }));
+  rig.type_radius("4");
   ASSERT_TRUE(wait_until([&] { return rig.collection().presses().size() == 1; }, 20000));
   // Nobody who looks at a press is sent away from it.
   const std::size_t count = rig.collection().presses().size();

@@ -15,7 +15,7 @@
 namespace alltact::test {
 namespace {
 
-constexpr int kMostActions = 25;
+constexpr int kMostActions = 9;
 
 /// Knows the window only: it is handed no place, no page and no widget by name.
 class Newcomer {
@@ -61,11 +61,6 @@ class Newcomer {
     actions_ << button.text().remove(QLatin1Char('&'));
     QTest::mouseClick(&button, Qt::LeftButton);
   }
-  void press_space() {
-    actions_ << QStringLiteral("Space");
-    QWidget* focused = QApplication::focusWidget();
-    QTest::keyClick(focused != nullptr ? focused : &window_, Qt::Key_Space);
-  }
   /// A number that the guide tells for a quantity, into the field of that name.
   bool type_what_is_asked_for(const QString& quantity) {
     const QRegularExpression told(quantity + QStringLiteral(", ([0-9.]+) mm"),
@@ -91,24 +86,6 @@ class Newcomer {
   QStringList actions_;
 };
 
-/// Looks at the picture: the ball is in, elsewhere or deeper than before.
-class Watcher {
- public:
-  bool sees_another_press(const FrameResult& result) {
-    const auto patch = dark_patch(result);
-    if (!patch || patch->darkness < 0.06) return false;
-    for (const DarkPatch& one : seen_)
-      if ((one.position_mm - patch->position_mm).norm() < 5 &&
-          std::abs(one.darkness - patch->darkness) < 0.2 * patch->darkness)
-        return false;
-    seen_.push_back(*patch);
-    return true;
-  }
-
- private:
-  std::vector<DarkPatch> seen_;
-};
-
 /// As wait_until, as often as somebody looks: reading all of a window takes its time.
 bool looks_until(const std::function<bool()>& is_so, int patience_ms) {
   QElapsedTimer since;
@@ -132,32 +109,17 @@ QString verdict_read_by(const Newcomer& newcomer) {
 
 TEST(FirstUser, ReachesAVerdictByReadingOnlyWhatIsOnTheScreen) {
   if (std::getenv("ALLTACT_SLOW") == nullptr) GTEST_SKIP() << "long: set ALLTACT_SLOW";
+  const PressesWhenStill unchanged;
   Studio studio;
   Newcomer newcomer(studio.window());
-  Watcher watcher;
-  QElapsedTimer recording;
+  QElapsedTimer recording, all;
+  all.start();
   const auto is_busy = [&] {
     return newcomer.reads("Recording</b>") && recording.elapsed() < 30000 &&
            !newcomer.reads("Enough: all directions");
   };
   for (int turn = 0; turn < 4 * kMostActions && verdict_read_by(newcomer).isEmpty(); ++turn) {
     if (newcomer.type_what_is_asked_for("Ball's radius")) continue;
-    const bool presses_are_wanted = newcomer.guided_by().contains("press Space") &&
-                                    newcomer.standing_out() != nullptr &&
-                                    newcomer.standing_out()->text().contains("(Space)");
-    // Wanted already, and waited for.
-    if (presses_are_wanted && newcomer.reads("once ball and finger are held still")) {
-      QTest::qWait(200);
-      --turn;
-      continue;
-    }
-    if (presses_are_wanted) {
-      ASSERT_TRUE(wait_until(
-          [&] { return watcher.sees_another_press(studio.session().view()->result); }, 60000));
-      newcomer.press_space();
-      QTest::qWait(400);
-      continue;
-    }
     ASSERT_TRUE(
         looks_until([&] { return newcomer.standing_out() != nullptr && !is_busy(); }, 240000))
         << "nothing stands out after: " << newcomer.actions().join("; ").toStdString() << "\n"
@@ -167,7 +129,7 @@ TEST(FirstUser, ReachesAVerdictByReadingOnlyWhatIsOnTheScreen) {
     newcomer.click(next);
     QTest::qWait(400);  // what a hand takes
   }
-  std::printf("[ figures  ] %d actions: %s; verdict: %s\n",
+  std::printf("[ figures  ] %.0f s, %d actions: %s; verdict: %s\n", 1e-3 * all.elapsed(),
               static_cast<int>(newcomer.actions().size()),
               newcomer.actions().join("; ").toUtf8().constData(),
               verdict_read_by(newcomer).toUtf8().constData());

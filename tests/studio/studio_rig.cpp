@@ -154,6 +154,8 @@ Studio::Studio(StudioOptions options) {
   appearance_.apply({Theme::kLight, QStringLiteral("en")});
   for (const char* place : {"live", "calibrate", "record", "inspect", "accuracy"})
     QSettings().setValue(PageHint::key(place), true);  // somebody who was here before
+  if (!QSettings().contains(PressesPage::kAutomaticKey))
+    QSettings().setValue(PressesPage::kAutomaticKey, false);  // and presses by hand
   window_ = std::make_unique<MainWindow>(options, appearance_);
   window_->resize(1280, 800);
   window_->show();

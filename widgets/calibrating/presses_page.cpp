@@ -20,6 +20,7 @@
 #include <QMenu>
 #include <QPainter>
 #include <QPainterPath>
+#include <QSettings>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -32,6 +33,7 @@ namespace {
 constexpr int kPressSideWidth = 268;
 constexpr int kForecastLines = 3, kGuideLines = 2, kPressLines = 2;
 constexpr int kDetailsWidth_px = 260;
+constexpr int kSeries = 6;  // presses
 
 }  // namespace
 
@@ -212,7 +214,11 @@ void PressesPage::connect_parts() {
   // The next key must not be typed into the field.
   connect(operator_, &QLineEdit::returnPressed, this, [this] { take_->setFocus(); });
   connect(take_, &QPushButton::clicked, this, &PressesPage::take);
-  connect(automatic_, &QCheckBox::toggled, this, &PressesPage::begin_series);
+  connect(automatic_, &QCheckBox::toggled, this, [this](bool is_on) {
+    QSettings().setValue(kAutomaticKey, is_on);
+    begin_series();
+    Q_EMIT changed();
+  });
   connect(more_, &QToolButton::toggled, this, &PressesPage::show_shown);
   connect(find_, &QPushButton::clicked, this, [this] { collection_.find_ball_again(shown_); });
 }
@@ -277,6 +283,11 @@ void PressesPage::name_parts() {
 
 StepState PressesPage::state() const {
   return missing().isEmpty() ? StepState::kDone : StepState::kToDo;
+}
+
+/// None while presses are taken without a click.
+const QPushButton* PressesPage::action_button() const {
+  return automatic_->isChecked() && has_radius() ? nullptr : take_;
 }
 
 QString PressesPage::missing() const {
@@ -357,11 +368,12 @@ void PressesPage::show_status() {
     taker_.forget();
     refused_.reset();
     taken_name_.clear();
-    begin_series();
+    awaits_first_series_ = true;
     const QSignalBlocker quiet(radius_);
     radius_->setValue(0);  // resets also a number typed for another finger
   }
   taker_folder_ = collection_.folder();
+  if (awaits_first_series_ && collection_.is_ready()) begin_first_series();
   show_problems();
   const PressSet& press_set = collection_.press_set();
   {
@@ -785,9 +797,18 @@ void PressesPage::press_pedal() {
   if (take_->isEnabled()) take();
 }
 
+/// Of a finger that is opened. One that is calibrated, or has its presses, is only looked at.
+void PressesPage::begin_first_series() {
+  awaits_first_series_ = false;
+  const bool needs_presses =
+      run_.state() == CalibrationState::kNone && collection_.usable_count() < kSeries;
+  const QSignalBlocker quiet(automatic_);
+  automatic_->setChecked(needs_presses && QSettings().value(kAutomaticKey, true).toBool());
+  begin_series();
+}
+
 /// A series fills up to six presses; when there are as many, it takes six more.
 void PressesPage::begin_series() {
-  constexpr int kSeries = 6;
   const int usable = collection_.usable_count();
   series_left_ = usable < kSeries ? kSeries - usable : kSeries;
   is_series_over_ = false;
@@ -801,7 +822,7 @@ void PressesPage::watch_contact() {
   const bool can_take = take_obstacle().isEmpty();
   guided_ = can_take ? guidance_of(result, collection_, forecast_, 0) : PressGuidance();
   // Whoever looks at a press, or drags its outline, is left alone.
-  const bool may_take = can_take && automatic_->isChecked() && shown_.empty();
+  const bool may_take = can_take && automatic_->isChecked() && shown_.empty() && has_radius();
   const bool is_still = may_take && still_.add(guided_.contact, monotonic_s());
   const auto taken =
       taker_.see(can_take ? result.frame : FramePtr(), guided_.contact, monotonic_s());
@@ -819,11 +840,15 @@ void PressesPage::take_automatically() {
   const QSignalBlocker quiet(automatic_);
   automatic_->setChecked(false);
   is_series_over_ = true;
+  Q_EMIT changed();
 }
+
+bool PressesPage::has_radius() const { return collection_.press_set().ball_radius_mm > 0; }
 
 QString PressesPage::auto_take_obstacle() const {
   if (is_series_over_) return tr("Six presses are taken. Tick it again to take six more.");
   if (!automatic_->isChecked() || !take_obstacle().isEmpty()) return {};
+  if (!has_radius()) return tr("Waiting for the ball's radius.");
   if (!shown_.empty()) return tr("Paused while a press is shown.");
   switch (still_.hold().state) {
     case HoldState::kNothing:

@@ -78,6 +78,9 @@ class PressFitPane : public Translated<QWidget> {
 class PressesPage : public StepPage {
   Q_OBJECT
  public:
+  /// Whether a new finger's presses are taken as soon as they are held still; without it they are.
+  static constexpr QLatin1String kAutomaticKey{"presses/automatic"};
+
   PressesPage(LiveSession& session, PressCollection& collection, const CalibrationRun& run,
               PressForecast& forecast, QWidget* parent = nullptr);
 
@@ -86,6 +89,7 @@ class PressesPage : public StepPage {
   void press_pedal() override;
   [[nodiscard]] QVBoxLayout* foot() const override { return foot_; }
   [[nodiscard]] QWidget* main_control() const override { return take_; }
+  [[nodiscard]] const QPushButton* action_button() const override;
   [[nodiscard]] QString missing() const override;
   [[nodiscard]] bool take_files(const DroppedFiles& dropped) override;
   void show_status();
@@ -107,7 +111,9 @@ class PressesPage : public StepPage {
   void take();
   [[nodiscard]] QString take_obstacle() const;
   void watch_contact();
+  void begin_first_series();
   void begin_series();
+  [[nodiscard]] bool has_radius() const;
   void take_automatically();
   [[nodiscard]] QString auto_take_obstacle() const;
   void show_guide();
@@ -146,9 +152,10 @@ class PressesPage : public StepPage {
   PressForecast& forecast_;
   PressModel model_;
   StationaryContactDetector still_;
-  int series_left_ = 0;          // presses that are still taken automatically
-  bool is_series_over_ = false;  // since the last one was taken
-  PressTaker taker_;             // takes presses from the live stream while this page is visible
+  int series_left_ = 0;               // presses that are still taken automatically
+  bool is_series_over_ = false;       // since the last one was taken
+  bool awaits_first_series_ = false;  // of a finger whose presses are being read
+  PressTaker taker_;  // takes presses from the live stream while this page is visible
   std::filesystem::path taker_folder_;  // the finger's folder
   PressGuidance guided_;
   std::string shown_;               // name of the press; empty: the live image

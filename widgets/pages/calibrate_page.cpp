@@ -55,7 +55,7 @@ CalibratePage::CalibratePage(LiveSession& session, QUndoStack& undo,
   reserve_room(*next_);  // there is none after the last step
   missing_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   show_page(0);
-  connect(next_, &QPushButton::clicked, this, [this] { go_to(step_ + 1); });
+  connect(next_, &QPushButton::clicked, this, &CalibratePage::go_on);
   connect(finger_, &FingerPage::new_finger_requested, this, &CalibratePage::new_finger_requested);
   connect(finger_, &FingerPage::open_finger_requested, this, &CalibratePage::open_finger_requested);
   connect(finger_, &FingerPage::record_requested, this,
@@ -132,6 +132,13 @@ std::string CalibratePage::leads_to() const {
 
 std::size_t CalibratePage::due_step() const {
   return has_unseen_verdict_ ? kVerdictStep : last_open();
+}
+
+void CalibratePage::go_on() {
+  const bool is_first_calibration =
+      pages_[step_] == presses_ && run_.state() == CalibrationState::kNone && !run_.is_running();
+  if (is_first_calibration) run_.start();
+  go_to(step_ + 1);
 }
 
 void CalibratePage::begin_next_step() { go_to(due_step()); }

@@ -81,6 +81,7 @@ class CalibratePage : public Page {
   void follow_run();
   void show_steps();
   void go_to(std::size_t step);
+  void go_on();  ///< to the next step; from the first presses on, it calibrates
   void show_page(std::size_t step);
   /// The step to do next.
   [[nodiscard]] std::size_t due_step() const;
