@@ -294,6 +294,11 @@ void MeasuringSteps::find_regions(FrameResult& result, StopWatch& watch) const {
   // Of bars at random positions and angles in rendered images: their upright ends.
   constexpr double kAxisBeyondNoiseDeg = 0.021;
   options.axis_beyond_noise_deg = kAxisBeyondNoiseDeg;
+  // Where along an oblique line of sight scattered light turned back is known to a part of the
+  // layer, as on fingers whose light was walked through theirs.
+  constexpr double kTurningSd = 0.05;
+  if (!mapping_->parameters().spread.is_local())
+    options.along_sd_mm = kTurningSd * finger_->face.layer_mm;
   DepthErrorModel error(*result.depth, *result.reference, *result.shape, *mapping_);
   options.untouched = [&](int u, int v) { return error.untouched(u, v); };
   options.pressed = [&](int u, int v, double mm) { return error.of_depth(u, v, mm); };

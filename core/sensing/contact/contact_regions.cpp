@@ -346,16 +346,20 @@ class RegionSums {
     region.position_mm /= region.volume_mm3;
     region.position_px /= region.volume_mm3;
     region.position_on_face_mm /= region.volume_mm3;
-    find_deepest_position(options, region);
+    find_deepest_position(region);
     if (options.pressed) {
       const DepthErrorTerms causes = pressed_at(options, deepest_px_, region.deepest_mm);
       region.deepest_sd_mm = sd_of_deepest(causes);
       if ((limits_of(causes, options.is_light_doubtful) & kDoubtfulLight) != 0)
         region.limits |= kDoubtfulLight;
     }
-    if (options.pressed)
-      region.position_covariance_mm2 = contact_covariance_mm2(
-          shape_, region.position_px, errors_.mean_sd_mm(region, options.correlated_px2));
+    if (options.pressed) {
+      Eigen::Matrix2d centre_mm2 = options.correlated_px2 * centre_.covariance_mm2();
+      centre_mm2(0, 0) += options.along_sd_mm * options.along_sd_mm;
+      region.position_covariance_mm2 =
+          contact_covariance_mm2(shape_, region.position_px,
+                                 errors_.mean_sd_mm(region, options.correlated_px2), centre_mm2);
+    }
     if (const auto local = shape_.at(region.position_px.x(), region.position_px.y()))
       region.normal = local->normal;
     find_angle(options, region);
@@ -382,14 +386,12 @@ class RegionSums {
 
   /// Formula of contact_regions() with the weights depth - h: the centre lies
   ///   (sum of (d - h)^2 / sum of (d - h) / 2 + h) sin(theta) from the middle.
-  void find_deepest_position(const RegionOptions& options, ContactRegion& region) const {
+  void find_deepest_position(ContactRegion& region) const {
     region.deepest_on_face_mm = centre_.mean_mm();
     if (const auto plane = contact_plane(shape_, region.position_px))
       region.deepest_on_face_mm +=
           (region.deepest_mm - threshold_mm_ - 0.5 * centre_.mean_above_mm()) *
           plane->row(2).transpose();
-    if (options.pressed)
-      region.centre_covariance_mm2 = options.correlated_px2 * centre_.covariance_mm2();
   }
 
   /// Principal axis, where it is determined. Criterion: as many random points of the contact as it
@@ -585,17 +587,19 @@ std::optional<Eigen::Vector3d> contact_axis(const FaceShape& shape, const Eigen:
 
 std::optional<Eigen::Matrix3d> contact_covariance_mm2(const FaceShape& shape,
                                                       const Eigen::Vector2d& pixel,
-                                                      double depth_sd_mm) {
+                                                      double depth_sd_mm,
+                                                      const Eigen::Matrix2d& centre_mm2) {
   const auto& columns = shape.columns();
+  const auto plane = contact_plane(shape, pixel);
   const auto ray = shape.camera().unproject(pixel);
   const auto u = std::lround(pixel.x());
-  if (!ray || u < 0 || u >= static_cast<long>(columns.size())) return std::nullopt;
+  if (!ray || !plane || u < 0 || u >= static_cast<long>(columns.size())) return std::nullopt;
   const FaceColumn& column = columns[static_cast<std::size_t>(u)];
   if (!column.valid || !std::isfinite(depth_sd_mm)) return std::nullopt;
   const Eigen::Vector3d sight = column.z_sd_mm * ray->direction;
   Eigen::Matrix3d covariance = sight * sight.transpose();
   covariance(2, 2) += depth_sd_mm * depth_sd_mm;
-  return covariance;
+  return covariance + *plane * centre_mm2 * plane->transpose();
 }
 
 std::vector<Eigen::Vector2d> convex_polygon(const std::vector<Eigen::Vector2d>& points_mm,

@@ -32,11 +32,8 @@ struct ContactRegion {
   /// volume_mm3 and every depth there are lower bounds. kSteep applies to single pixels and is not
   /// set for a region.
   std::uint8_t limits = 0;
-  /// Covariance of position_mm: the face errs along the line of sight, the depth along z by
-  /// RegionOptions::pressed. Excludes the uncertainty of the lens. Empty without `pressed`.
+  /// Covariance of position_mm, see contact_covariance_mm2(). Empty without `pressed`.
   std::optional<Eigen::Matrix3d> position_covariance_mm2;
-  /// Covariance of the centre on the face from noise, along it and across; empty without `pressed`.
-  std::optional<Eigen::Matrix2d> centre_covariance_mm2;
   /// Principal axis on the face from the finger's length (base to tip) towards +y, in (-90, 90].
   /// Empty when the region is round, or the sd above 15 degrees.
   std::optional<double> angle_deg;
@@ -55,6 +52,7 @@ struct RegionOptions {
   double correlated_px2 = 1.0;         ///< area of pixels with common noise, by the smoothing
   bool is_light_doubtful = false;      ///< is_light_doubtful() of the frame
   double axis_beyond_noise_deg = 0.0;  ///< sd of the axis of a contact 1 mm wide, apart from noise
+  double along_sd_mm = 0.0;  ///< common sd of all positions along the face, apart from noise
   /// Errors of the depth without contact at a pixel (u, v), as DepthErrorModel::untouched; empty:
   /// noise_mm everywhere.
   std::function<UntouchedSd(int, int)> untouched;
@@ -99,11 +97,12 @@ using ContactPlane = Eigen::Matrix<double, 3, 2>;
                                                           const Eigen::Vector2d& pixel,
                                                           double angle_deg);
 
-/// Covariance in mm^2 of a point of the contact face, camera frame: the face's z errs along the
-/// line of sight, the depth along z. nullopt off the face.
-[[nodiscard]] std::optional<Eigen::Matrix3d> contact_covariance_mm2(const FaceShape& shape,
-                                                                    const Eigen::Vector2d& pixel,
-                                                                    double depth_sd_mm);
+/// Covariance in mm^2 of a contact's position, camera frame: the face's z errs along the line of
+/// sight, the depth along z, the contact's centre by `centre_mm2` on the face, along it and across.
+/// Excludes the uncertainty of the lens. nullopt off the face.
+[[nodiscard]] std::optional<Eigen::Matrix3d> contact_covariance_mm2(
+    const FaceShape& shape, const Eigen::Vector2d& pixel, double depth_sd_mm,
+    const Eigen::Matrix2d& centre_mm2);
 
 /// Convex hull, corners in order, without corners within `tolerance_mm` of the line between others.
 [[nodiscard]] std::vector<Eigen::Vector2d> convex_polygon(

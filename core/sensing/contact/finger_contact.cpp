@@ -41,10 +41,8 @@ std::optional<ContactDeflection> deflection_of(const TipDisplacement& displaceme
 std::optional<Eigen::Matrix2d> position_covariance_on_face_mm2(const ContactRegion& region,
                                                                const FaceShape& shape) {
   const auto plane = contact_plane(shape, region.position_px);
-  if (!plane || !region.position_covariance_mm2 || !region.centre_covariance_mm2)
-    return std::nullopt;
-  return Eigen::Matrix2d(plane->transpose() * *region.position_covariance_mm2 * *plane +
-                         *region.centre_covariance_mm2);
+  if (!plane || !region.position_covariance_mm2) return std::nullopt;
+  return Eigen::Matrix2d(plane->transpose() * *region.position_covariance_mm2 * *plane);
 }
 
 PositionOnFinger position_of_region(const ContactRegion& region, const FaceShape& shape,

@@ -52,10 +52,11 @@ void flag_hidden(const std::vector<HiddenColumn>& columns, cv::Mat* flags);
 
 /// What the removal of the spread of light did to a frame (light_spread.h). Empty: nothing.
 struct SpreadRemoved {
-  cv::Mat change;                 ///< CV_32FC1: x after less x before, where it is seen
+  cv::Mat sd;       ///< CV_32FC1: of x after it, by the uncertain scattering
+  cv::Mat lost_mm;  ///< CV_32FC1: sd of the depth along the normal by detail too fine to be seen
   std::vector<float> noise_gain;  ///< by column: noise of a pixel after over before
   std::vector<float> level_gain;  ///< by column: the same for errors that are wider than the skirt
-  [[nodiscard]] bool is_none() const { return change.empty(); }
+  [[nodiscard]] bool is_none() const { return sd.empty(); }
 };
 
 /// x = (I_ref - q I) / I_ref after smoothing, with q the requested correction of the light.

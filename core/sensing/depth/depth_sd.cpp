@@ -1,6 +1,5 @@
 #include "core/sensing/depth/depth_sd.h"
 
-#include "core/sensing/depth/light_spread.h"
 #include "core/sensing/depth/smoothing.h"
 #include "core/sensing/reference/image_warp.h"
 #include "core/sensing/reference/reference_image.h"
@@ -125,8 +124,13 @@ void DepthErrorModel::add_lateral(int u, int v, DepthErrorTerms& causes) const {
       std::max(0.0, squares(left - 2.0 * here + right, above - 2.0 * here + below) - 12.0 * noise) /
       std::pow(kStep, 4);
   causes.per_px = std::sqrt(slope_square);
+  const cv::Mat& lost = depth_.spread_removed.lost_mm;
+  const double lost_mm =
+      lost.empty()
+          ? 0.0
+          : static_cast<double>(along_z_[static_cast<std::size_t>(u)] * lost.at<float>(v, u));
   causes.lateral = std::sqrt(kLateralPx * kLateralPx * slope_square +
-                             0.25 * kOpticsPx2 * kOpticsPx2 * bend_square);
+                             0.25 * kOpticsPx2 * kOpticsPx2 * bend_square + lost_mm * lost_mm);
 }
 
 DepthErrorModel::SpreadGain DepthErrorModel::spread_gain(int u) const {
@@ -137,18 +141,9 @@ DepthErrorModel::SpreadGain DepthErrorModel::spread_gain(int u) const {
           static_cast<double>(removed.level_gain[column])};
 }
 
-/// The change by the removal of spread light grows as 1 / core - 1.
 double DepthErrorModel::spread_sd(int u, int v) const {
-  if (depth_.spread_removed.is_none()) return 0.0;
-  constexpr double kPart = 0.01;
-  const LightSpread& spread = mapping_.parameters().spread;
-  LightSpread more = spread;
-  more.optical_thickness *= 1.0 + kPart;
-  const double here = 1.0 / oblique_spread(spread, 1.0).core - 1.0,
-               there = 1.0 / oblique_spread(more, 1.0).core - 1.0;
-  const double growth = (there - here) / (here * kPart * spread.optical_thickness);
-  return std::abs(static_cast<double>(depth_.spread_removed.change.at<float>(v, u))) * growth *
-         spread.optical_thickness_sd;
+  const cv::Mat& sd = depth_.spread_removed.sd;
+  return sd.empty() ? 0.0 : static_cast<double>(sd.at<float>(v, u));
 }
 
 DepthErrorModel::Level DepthErrorModel::level_at(int u, int v) {

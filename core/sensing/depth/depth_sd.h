@@ -76,7 +76,7 @@ class DepthErrorModel {
     double noise = 1, level = 1;
   };
   [[nodiscard]] SpreadGain spread_gain(int u) const;
-  [[nodiscard]] double spread_sd(int u, int v) const;  ///< of x, by the uncertain scattering
+  [[nodiscard]] double spread_sd(int u, int v) const;  ///< of x, see SpreadRemoved
   using ReadCurve = At (DepthErrorModel::*)(double depth_mm) const;
   [[nodiscard]] DepthErrorTerms causes(int u, int v, const Level& level, double depth_mm,
                                        ReadCurve read);

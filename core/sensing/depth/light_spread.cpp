@@ -59,6 +59,13 @@ Real depth_on_curve(Real y, Real b, Real thickness_mm) {
   return thickness_mm * (1 + b) * y / std::max(Real(kLeastDenominator), 1 + b * y);
 }
 
+/// Its slope.
+template <class Real>
+Real depth_per_difference(Real y, Real b, Real thickness_mm) {
+  const Real denominator = std::max(Real(kLeastDenominator), 1 + b * y);
+  return thickness_mm * (1 + b) / (denominator * denominator);
+}
+
 template <class Real>
 Real difference_at_depth(Real depth_mm, Real b, Real thickness_mm) {
   const Real full = thickness_mm * (1 + b);
@@ -87,8 +94,8 @@ namespace {
 constexpr double kCellMm = 0.16;
 // The rounds raise noise, which is smoothed before. A kernel without variance (twicing) retains
 // detail down to about this size.
-constexpr double kSmoothMm = 0.4;
-constexpr int kRounds = 6;  // twice as many recover no more than they raise of the noise
+constexpr double kSmoothMm = 0.25;
+constexpr int kRounds = 8;  // more recover no more than they raise of the noise
 constexpr int kRoundsFromNothing = 40;
 
 /// The skirt's light on a face: q, on a grid of half as many rows and columns.
@@ -308,15 +315,36 @@ class SpreadOnFace {
   std::vector<float> seeing_;  // column of the pixel that sees a column, by column and part
 };
 
-void smooth(const UnrolledFace& face, cv::Mat* cells) {
-  cv::Mat once, twice;
+/// Mean of squares that are noise but for a small part.
+double square_of_noise(const cv::Mat& squares) {
+  constexpr double kMeanOfMedian = 2.198;  // of squares of a normal distribution
+  std::vector<float> values;
+  for (int j = 0; j < squares.rows; j += 2)
+    for (int i = 0; i < squares.cols; i += 4) values.push_back(squares.at<float>(j, i));
+  return values.empty() ? 0.0 : kMeanOfMedian * static_cast<double>(upper_median(values));
+}
+
+/// Smooths the cells; returns the sd of what is too fine for that, 0 within noise. The next order
+/// of the kernel, once - 2 twice + thrice, shows how much detail there is at its size. Pins of 1
+/// mm, threads and sharp edges lose about kLost times as much.
+cv::Mat smooth(const UnrolledFace& face, cv::Mat* cells) {
+  constexpr double kLost = 4.5;
+  cv::Mat once, twice, thrice;
   const auto blur = [&](const cv::Mat& from, cv::Mat* to) {
     cv::GaussianBlur(from, *to, {}, kSmoothMm / face.step_along_mm(),
                      kSmoothMm / face.step_across_mm(), cv::BORDER_REPLICATE);
   };
   blur(*cells, &once);
   blur(once, &twice);
+  blur(twice, &thrice);
   *cells = 2 * once - twice;
+  cv::Mat detail = once - 2 * twice + thrice;
+  cv::multiply(detail, detail, detail);
+  const double noise_square = square_of_noise(detail);
+  blur(detail, &detail);
+  cv::max(detail - noise_square, 0.0, detail);
+  cv::sqrt(detail, detail);
+  return kLost * detail;
 }
 
 // Where nothing has changed, there is no spread light to remove. Searched for in blocks of cells.
@@ -449,6 +477,21 @@ cv::Size margin_of(const UnrolledFace& face, double skirt_mm) {
 
 }  // namespace
 
+namespace {
+
+/// The change by the removal of spread light grows as 1 / core - 1: its relative growth per optical
+/// thickness.
+double growth(const LightSpread& spread) {
+  constexpr double kPart = 0.01;
+  LightSpread more = spread;
+  more.optical_thickness *= 1.0 + kPart;
+  const double here = 1.0 / oblique_spread(spread, 1.0).core - 1.0,
+               there = 1.0 / oblique_spread(more, 1.0).core - 1.0;
+  return (there - here) / (here * kPart * spread.optical_thickness);
+}
+
+}  // namespace
+
 void remove_light_spread(const MappingParameters& mapping, const FaceShape& shape,
                          Difference* difference) {
   if (mapping.spread.is_local() || !difference->spread_removed.is_none()) return;
@@ -457,13 +500,13 @@ void remove_light_spread(const MappingParameters& mapping, const FaceShape& shap
   const double layer_mm = shape.face().layer_mm;
   cv::Mat measured;
   Cells cells{face.from_pixels(difference->x, &measured), {}};
-  smooth(face, &cells.y);
+  cv::Mat too_fine = smooth(face, &cells.y);
   cells.seen_x = cells.y.clone();
   const cv::Size margin = margin_of(face, skirt_width_mm(mapping.spread, layer_mm));
   for (const cv::Rect& part : changed_parts(cells.y, measured, margin))
     remove_within(part, face, mapping, layer_mm, margin, &cells);
 
-  std::vector<float> b, noise_gain, level_gain;  // by column of cells
+  std::vector<float> b, noise_gain, level_gain, per_core;  // by column of cells
   for (int i = 0; i < face.size().width; ++i) {
     const double cos_sight = face.sight(i).cos_sight,
                  core = oblique_spread(mapping.spread, cos_sight).core;
@@ -475,15 +518,19 @@ void remove_light_spread(const MappingParameters& mapping, const FaceShape& shap
     b.push_back(static_cast<float>(b_here));
     noise_gain.push_back(static_cast<float>((1.0 - left) / core * level));
     level_gain.push_back(static_cast<float>(level));
+    per_core.push_back(static_cast<float>(1.0 / core));
   }
   const auto b_of_curve = static_cast<float>(mapping.b),
              thickness_mm = static_cast<float>(thickness_of(mapping));
+  const double per_change = growth(mapping.spread) * mapping.spread.optical_thickness_sd;
   for (int j = 0; j < cells.y.rows; ++j) {
     float *y = cells.y.ptr<float>(j), *seen_x = cells.seen_x.ptr<float>(j);
+    auto* fine = too_fine.ptr<float>(j);
     for (std::size_t i = 0; i < b.size(); ++i) {
+      fine[i] *= per_core[i] * depth_per_difference(y[i], b[i], thickness_mm);  // now mm
       y[i] =
           difference_at_depth(depth_on_curve(y[i], b[i], thickness_mm), b_of_curve, thickness_mm);
-      seen_x[i] = y[i] - seen_x[i];
+      seen_x[i] = static_cast<float>(per_change) * std::abs(y[i] - seen_x[i]);  // now its sd
     }
   }
   SpreadRemoved& removed = difference->spread_removed;
@@ -492,7 +539,8 @@ void remove_light_spread(const MappingParameters& mapping, const FaceShape& shap
     removed.noise_gain.push_back(noise_gain[column]);
     removed.level_gain.push_back(level_gain[column]);
   }
-  removed.change = face.to_pixels(cells.seen_x, difference->x.size());
+  removed.sd = face.to_pixels(cells.seen_x, difference->x.size());
+  removed.lost_mm = face.to_pixels(too_fine, difference->x.size());
   const cv::Mat before = difference->x;  // others may hold the same differences
   difference->x = face.to_pixels(cells.y, before.size());
   for (int v = 0; v < before.rows; ++v) {
@@ -511,14 +559,18 @@ std::complex<double> wave_after_removal(const LightSpread& spread, double layer_
   const double wave2 = wave_per_mm.squaredNorm(), width_mm = skirt_width_mm(spread, layer_mm);
   const double path = wave_per_mm.dot(displacement_mm);  // phase from a pixel to the skin it shows
   // Of a cell, at the pixel that sees it.
-  const auto shown_with = [&, shift = shift](double core_part) {
+  const auto shown_with = [&, shift = shift](double core_part, double core_gain) {
     const double skirt = (1.0 - core_part) / (1.0 + wave2 * width_mm * width_mm);
-    return core_part + skirt * std::polar(1.0, (shift - 1.0) * path);
+    return core_part * core_gain + skirt * std::polar(1.0, (shift - 1.0) * path);
   };
-  // The formula's core is that of deep indentations; shallow ones have less.
+  // The formula's core is that of deep indentations; shallow ones have less. And it is no point:
+  // some of its light was scattered twice near the skin.
+  constexpr double kCoreSd = 0.06;  // layers, from walks through layers
   const double shallow =
       std::exp(-0.8 * spread.optical_thickness * (1.0 + 0.28 * longer_path(cos_sight)));
-  const std::complex<double> removed = shown_with(core), shown = shown_with(shallow);
+  const double core_gain = std::exp(-0.5 * wave2 * kCoreSd * kCoreSd * layer_mm * layer_mm);
+  const std::complex<double> removed = shown_with(core, 1.0),
+                             shown = shown_with(shallow, core_gain);
   const double once = std::exp(-0.5 * wave2 * kSmoothMm * kSmoothMm),
                smoothed = once * (2.0 - once);
   // The first guess is what is seen; each round leaves 1 - removed of what is missing.
