@@ -29,7 +29,7 @@ class Skin:
 class Body:
     """A rigid body whose lowest point would rest on the face at (s, w), pushed in by depth_mm along z.
 
-    shape: ball | cylinder | plate | ring | tee | two_balls | step. size_mm: of a ball the radius, else see `relief`.
+    shape: ball | cylinder | plate | ring | tee | two_balls | step | punch | pin | thread. size_mm: of a ball the radius, else see `relief`.
     """
 
     shape: str
@@ -47,6 +47,10 @@ class Body:
             return float(np.hypot(self.size_mm[0], self.size_mm[1])) / 2 + 2.0
         if self.shape == "two_balls":
             return float(self.size_mm[1] / 2 + np.sqrt(2 * self.size_mm[0] * self.depth_mm)) + 1.0
+        if self.shape in ("punch", "pin"):
+            return self.size_mm[0] + 1.0
+        if self.shape == "thread":
+            return float(np.hypot(self.size_mm[1], np.sqrt(2 * self.size_mm[0] * self.depth_mm))) + 1.0
         return float(self.size_mm[1] + self.size_mm[0])
 
     def relief(self, along: np.ndarray, across: np.ndarray) -> np.ndarray:
@@ -66,6 +70,12 @@ class Body:
         if self.shape == "two_balls":  # radius, distance of the middles
             half = self.size_mm[1] / 2
             return _rounded(np.hypot(np.abs(a) - half, b), radius)
+        if self.shape in ("punch", "pin"):  # radius, radius of the edge
+            return _rounded(np.maximum(np.hypot(a, b) - radius + self.size_mm[1], 0), self.size_mm[1])
+        if self.shape == "thread":  # outer radius, half of the length, pitch
+            local = radius - _groove(a, self.size_mm[2])
+            inside = (np.abs(b) < local) & (np.abs(a) < self.size_mm[1])
+            return np.where(inside, radius - np.sqrt(np.maximum(local**2 - b**2, 0)), FAR_MM)
         if self.shape in ("plate", "step"):  # length, width, radius of the edge
             edge = self.size_mm[2]
             outside = np.hypot(
@@ -79,6 +89,13 @@ class Body:
 def _rounded(off_mm: np.ndarray, radius_mm: float) -> np.ndarray:
     inside = off_mm < radius_mm
     return np.where(inside, radius_mm - np.sqrt(np.maximum(radius_mm**2 - off_mm**2, 0)), FAR_MM)
+
+
+def _groove(along_mm: np.ndarray, pitch_mm: float) -> np.ndarray:
+    """Depth of an ISO metric thread along its bolt: flanks of 60 degrees, crests an eighth of the pitch wide, 0.6134
+    pitches deep."""
+    from_crest = np.abs(along_mm - pitch_mm * np.rint(along_mm / pitch_mm))
+    return np.clip((from_crest - pitch_mm / 16) * np.sqrt(3.0), 0, 0.6134 * pitch_mm)
 
 
 class OuterSide:

@@ -2,6 +2,7 @@
 
     camera.yaml  recording/*.png  presses/*.png  tests/*.png  truth/*.npz  finger.json (written last)
     bodies/*.png, rod.stl: presses of a rod with round ends, and its mesh
+    points/*.png: pairs of points at the places of two presses, without noise, of the classes of POINTS_OF
     degraded/*.png, frozen/*.png: pictures that cannot be measured rightly, of the class of that name
 """
 
@@ -20,12 +21,14 @@ from face import Face, Pose
 from finger import Finger, draw_finger
 from meshes import capsule, write_stl
 from mirror import mirrored_camera, mirrored_truth
+from points import DISTANCES_MM, Pair
 from render import Renderer
 
-VERSION = 6
+VERSION = 9
 PRESSES = 6
 RODS = 2
 TESTS = 10
+POINTS_OF = ("clean", "scattering")
 
 
 @dataclass(frozen=True)
@@ -63,7 +66,8 @@ def make_finger(cache: Path, seed: int, index: int, kind: str) -> Path:
     rods = _press_rods(folder, finger, renderer, np.random.default_rng([seed, index, 78]))
     if kind == "degraded":
         _degrade(folder, finger, renderer, rng)
-    facts.write_text(json.dumps(_facts(finger, presses, rods, shots), indent=1))
+    pairs = _part_points(folder, finger, renderer, presses) if kind in POINTS_OF else []
+    facts.write_text(json.dumps(_facts(finger, presses, rods, shots, pairs), indent=1))
     return folder
 
 
@@ -102,8 +106,41 @@ def _press(folder: Path, finger: Finger, renderer: Renderer, rng: np.random.Gene
         body = _inside(finger, pose, rng, "ball", depth, (finger.ball_radius_mm,))
         light, _ = renderer.light(pose, _lamp_gains(finger, rng), (body,))
         _take(folder / "presses" / f"press_{number}.png", finger, light, rng)
-        presses.append(asdict(body))
+        presses.append(asdict(body) | {"pose": asdict(pose)})
     return presses
+
+
+def _under(face: Face, outer_mm: np.ndarray) -> np.ndarray:
+    """Points of the view face at the x and y of others: where the truth of their depth along z stands."""
+    origins = (outer_mm * [1.0, 1.0, 0.0])[None]
+    s, w = face.meet(origins, np.broadcast_to([0.0, 0.0, 1.0], origins.shape))
+    return face.point(s[0], w[0])
+
+
+def _part_points(
+    folder: Path, finger: Finger, renderer: Renderer, presses: list[dict[str, object]]
+) -> list[dict[str, object]]:
+    """At the places of the press nearest to the base and of that nearest to the tip, in their poses."""
+    (folder / "points").mkdir()
+    noiseless = replace(finger, sensor=replace(finger.sensor, read_sd=0.0, shot=0.0, jpeg_quality=None))
+    order = sorted(range(PRESSES), key=lambda i: presses[i]["s_mm"])
+    made = []
+    for number in (order[0], order[-1]):
+        press = presses[number]
+        pose = Pose(**press["pose"])
+        face = Face(finger.rest, pose)
+        for is_along in (True, False):
+            for distance in DISTANCES_MM:
+                pair = Pair(press["s_mm"], press["w_mm"], distance, is_along)
+                light, _ = renderer.light(pose, pairs=(pair,))
+                name = f"press_{number}_{'along' if is_along else 'across'}_{round(100 * distance):03d}"
+                _take(folder / "points" / f"{name}.png", noiseless, light, np.random.default_rng(1))
+                places = finger.camera.project(_under(face, face.point(*pair.places().T, finger.rest.layer_mm)))
+                if finger.mirrored:
+                    places[:, 0] = finger.camera.width_px - 1 - places[:, 0]
+                facts = {"name": name, "press": f"press_{number}", "places_px": places.tolist()}
+                made.append(facts | {"distance_mm": distance, "is_along": is_along})
+    return made
 
 
 def _press_rods(folder: Path, finger: Finger, renderer: Renderer, rng: np.random.Generator) -> list[dict[str, object]]:
@@ -155,9 +192,16 @@ def _size(rng: np.random.Generator, shape: str) -> tuple[float, ...]:
         return (float(rng.uniform(1.2, 1.8)), float(rng.uniform(3, 5)))
     if shape == "two_balls":
         return (float(rng.uniform(2, 3)), float(rng.uniform(7, 9)))
+    if shape == "punch":
+        return (float(rng.uniform(1.5, 3)), 0.1)
+    if shape == "pin":
+        return (0.5, 0.05)
+    if shape == "thread":  # M8
+        return (4.0, float(rng.uniform(3, 5)), 1.25)
     return (float(rng.uniform(3, 7)), float(rng.uniform(3, 6)), float(rng.uniform(0.8, 1.4)))
 
 
+WORKSHOP = ("ball", "punch", "pin", "cylinder", "thread")  # what a technician has at hand
 SMOOTH = ("ball", "ball", "cylinder", "ring", "tee", "two_balls", "plate")
 
 
@@ -165,7 +209,7 @@ def _touch(finger: Finger, pose: Pose, rng: np.random.Generator, what: str) -> t
     rest = finger.rest
     depth = rest.layer_mm * float(np.exp(rng.uniform(np.log(0.12), np.log(0.75))))
     if what == "inside":
-        shape = str(rng.choice(SMOOTH))
+        shape = str(rng.choice(WORKSHOP if finger.kind == "scattering" else SMOOTH))
         return (_inside(finger, pose, rng, shape, depth, _size(rng, shape)),)
     if what == "rim":
         radius = float(rng.uniform(2.5, 5.5))
@@ -246,7 +290,11 @@ def _degrade(folder: Path, finger: Finger, renderer: Renderer, rng: np.random.Ge
 
 
 def _facts(
-    finger: Finger, presses: list[dict[str, object]], rods: list[dict[str, object]], shots: list[dict[str, object]]
+    finger: Finger,
+    presses: list[dict[str, object]],
+    rods: list[dict[str, object]],
+    shots: list[dict[str, object]],
+    pairs: list[dict[str, object]],
 ) -> dict[str, object]:
     camera = finger.camera
     return {
@@ -276,4 +324,5 @@ def _facts(
         "presses": presses,
         "rods": rods,
         "shots": shots,
+        "pairs": pairs,
     }

@@ -351,12 +351,13 @@ def _complete(
 def _scattering(
     rng: np.random.Generator, scatter: float, absorb: float, rest: RestShape, lamps: Lamps
 ) -> ScatteringLayer:
-    """Sight from the camera and light from the lamps, at rest, at places along the middle of the face."""
-    s = np.linspace(0, rest.length_mm, 6)
+    """Sight from the camera and light from the lamps, at rest, at places along the face and across it."""
+    along, across = np.linspace(0, rest.length_mm, 6), np.linspace(-0.5, 0.5, 3) * rest.width_mm
+    s, w = (values.ravel() for values in np.meshgrid(along, across, indexing="ij"))
     face = Face(rest, Pose())
-    point, normal = face.point(s, np.zeros(6)), face.normal_at(s)
+    point, normal = face.point(s, w), face.normal_at(s)
     frames = np.stack([face.tangent_at(s), face.across_at(s), normal], axis=1)
-    light = np.zeros((6, 3))
+    light = np.zeros((len(s), 3))
     for place, strength in zip(lamps.places_mm, lamps.strengths):
         way = point - place
         length = np.linalg.norm(way, axis=1, keepdims=True)
@@ -365,7 +366,8 @@ def _scattering(
         np.einsum("nij,nj->ni", frames, way / np.linalg.norm(way, axis=1, keepdims=True)) for way in (point, light)
     )
     lights[:, 2] = np.maximum(lights[:, 2], 0.1)
-    return ScatteringLayer(rng, scatter, absorb, rest.layer_mm, s, sights, lights)
+    sights, lights = (way.reshape(len(along), len(across), 3) for way in (sights, lights))
+    return ScatteringLayer(rng, scatter, absorb, rest.layer_mm, along, across, sights, lights)
 
 
 def _drift(rng: np.random.Generator, kind: str) -> float:

@@ -8,6 +8,7 @@ from typing import Any
 import cv2
 import numpy as np
 
+from points import dip, parted_from_mm
 from program import Run
 
 PRESSED_MM = 0.1  # what counts as inside a contact
@@ -17,6 +18,8 @@ NEEDED_REGION_MM = 0.2  # shallower or smaller regions may be found or not
 NEEDED_REGION_PX = 40
 REGION_MM = 1.0
 MARKER_PX = 4.0
+BAND_SDS = 1.96
+HALO_PX = 30.0  # of an image 960 px wide: some 2 mm
 
 
 def measure(run: Run, made: Path, facts: dict[str, Any]) -> dict[str, Any]:
@@ -26,6 +29,7 @@ def measure(run: Run, made: Path, facts: dict[str, Any]) -> dict[str, Any]:
     for shot in facts["shots"]:
         frames.append(_measure_shot(run, made, shot, facts, sums))
     figures = sums.figures()
+    figures |= _resolution(run, facts)
     figures["frames"] = frames
     figures["depth_frames"] = sum(frame["has_depth"] for frame in frames)
     judged = [frame for frame in frames if frame["what"] != "steep"]
@@ -49,6 +53,8 @@ class _Sums:
         self.rim_pixels = self.inner_pixels = 0
         self.off_face: list[int] = []
         self.free: list[np.ndarray] = []
+        self.halo: list[np.ndarray] = []
+        self.places: list[tuple[float, float, float]] = []
         self.free_share: list[float] = []
         self.shape: list[np.ndarray] = []
         self.tilt: list[np.ndarray] = []
@@ -65,7 +71,9 @@ class _Sums:
             figures["scale"] = float((inner[0] * inner[1]).sum() / (inner[1] ** 2).sum())
             sure = np.isfinite(inner[2]) & (inner[2] > 0)
             if sure.any():
-                figures["z_squared"] = float(((off[sure] / inner[2][sure]) ** 2).mean())
+                parts = np.abs(off[sure] / inner[2][sure])
+                figures["z_squared"] = float((parts**2).mean())
+                figures["band"] = float((parts <= BAND_SDS).mean())
         if self.inner_pixels:
             figures["contact_coverage"] = inner.shape[1] / self.inner_pixels
         if rim.shape[1]:
@@ -76,6 +84,15 @@ class _Sums:
             figures["steep_mm"] = float(np.abs(steep[0] - steep[1]).mean())
         if self.free:
             figures["false_mm"] = float(np.abs(np.concatenate(self.free)).mean())
+        if self.halo:
+            halo = np.concatenate(self.halo)
+            if len(halo):
+                figures["halo_mm"] = float(halo.mean())
+        if self.places:
+            along, across, squared = np.array(self.places).T
+            figures["place_mm"] = float(np.hypot(along, across).mean())
+            figures["along_mm"] = float(along.mean())
+            figures["place_z_squared"] = float(squared.mean())
         if self.off_face:
             figures["off_face_px"] = float(np.mean(self.off_face))
         if self.free_share:
@@ -117,8 +134,53 @@ def _measure_shot(
     points = _picture(run.results / f"{name}.points.tiff")
     if points is not None:
         _add_shape(points, depth, truth, facts["layer_mm"], sums, frame)
-    frame["regions_right"], frame["regions"] = _regions_right(line, shot["regions"])
+    frame["regions_right"], frame["regions"] = _regions_right(line, shot["regions"], _shape_of(shot))
+    if frame["regions_right"] and what == "inside" and _shape_of(shot) != "thread":
+        _add_places(line, shot["regions"], sums)
     return frame
+
+
+def _shape_of(shot: dict[str, Any]) -> str:
+    return shot["bodies"][0]["shape"] if shot["bodies"] else ""
+
+
+def _add_places(line: dict[str, Any], regions: list[dict[str, Any]], sums: _Sums) -> None:
+    """Off the true place in the face: what lies along its normal is shape and depth. Along is what is not across, and
+    positive away from the camera."""
+    for region in regions:
+        found = [r for r in line["regions"] if np.linalg.norm(np.subtract(r["place_mm"], region["place_mm"])) < REGION_MM]
+        if len(found) != 1 or "normal" not in found[0] or "place_covariance_mm2" not in found[0]:
+            continue
+        normal = np.array(found[0]["normal"])
+        along = np.array([0.0, 0.0, 1.0]) - normal[2] * normal
+        along /= np.linalg.norm(along)
+        face = np.stack([along, np.cross(normal, along)])
+        off = face @ np.subtract(found[0]["place_mm"], region["place_mm"])
+        xx, xy, xz, yy, yz, zz = found[0]["place_covariance_mm2"]
+        covariance = face @ np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]) @ face.T
+        sums.places.append((*off, float(off @ np.linalg.solve(covariance, off)) / 2))
+
+
+def _resolution(run: Run, facts: dict[str, Any]) -> dict[str, Any]:
+    """Told over measured distance of two points seen apart, at the worst direction of each press."""
+    told = {p["press"]: p["two_points_mm"] for p in (run.calibration.get("resolution") or {}).get("presses", [])}
+    quotients, measured = [], []
+    for press in dict.fromkeys(pair["press"] for pair in facts.get("pairs", [])):
+        name = next((name for name in told if Path(name).stem == press), None)
+        parted = []
+        for is_along in (True, False):
+            chosen = [p for p in facts["pairs"] if p["press"] == press and p["is_along"] == is_along]
+            dips = []
+            for pair in chosen:
+                depth = _picture(run.points / f"{pair['name']}.depth.tiff")
+                dips.append(float("nan") if depth is None else dip(depth, *np.array(pair["places_px"])))
+            parted.append(parted_from_mm(np.array([p["distance_mm"] for p in chosen]), np.array(dips)))
+        if name is not None and np.isfinite(parted).all():
+            quotients.append(told[name] / max(parted))
+            measured.append(max(parted))
+    if not quotients:
+        return {}
+    return {"resolution_ratio": float(np.mean(quotients)), "two_points_mm": float(np.mean(measured))}
 
 
 def _picture(path: Path) -> np.ndarray | None:
@@ -152,6 +214,8 @@ def _add_depth(
         sums.inner_pixels += int(inner.sum())
         sums.rim_pixels += int(rim.sum())
     free = on_face & (np.nan_to_num(true_depth, nan=1.0) < UNTOUCHED_MM)
+    if pressed.any():
+        sums.halo.append(depth[free & measured & _near(pressed, free)].astype(float))
     sums.free.append(depth[free & measured].astype(float))
     if free.any():
         sums.free_share.append(float((free & measured).sum() / free.sum()))
@@ -161,6 +225,12 @@ def _add_depth(
     if (free & measured).any():
         frame["false_mm"] = float(np.abs(depth[free & measured]).mean())
     sums.off_face.append(int((measured & ~on_face).sum()))
+
+
+def _near(pressed: np.ndarray, free: np.ndarray) -> np.ndarray:
+    """Within HALO_PX of what is pressed."""
+    away = cv2.distanceTransform((~pressed).astype(np.uint8), cv2.DIST_L2, 5)
+    return away <= HALO_PX * pressed.shape[1] / 960
 
 
 def _add_shape(
@@ -211,10 +281,21 @@ def _add_markers(markers: list[dict[str, Any]], truth: Any, facts: dict[str, Any
     sums.markers_found += len(taken)
 
 
-def _regions_right(line: dict[str, Any], regions: list[dict[str, Any]]) -> tuple[bool, str]:
+def _thread_right(found: list[dict[str, Any]], crests: list[dict[str, Any]]) -> tuple[bool, str]:
+    """Crests are nearer than what is told apart: something is found, and nothing away from them."""
+    if not found:
+        return False, "no thread found"
+    away = [min(np.linalg.norm(np.subtract(f["place_mm"], c["place_mm"])) for c in crests) for f in found]
+    wrong = sum(mm > REGION_MM for mm in away)
+    return wrong == 0, f"{wrong} away from the thread" if wrong else ""
+
+
+def _regions_right(line: dict[str, Any], regions: list[dict[str, Any]], what: str) -> tuple[bool, str]:
     """Every true region found once and near, nothing else found; slight ones may be missed."""
     if "regions" not in line:
         return False, "no regions"
+    if what == "thread":
+        return _thread_right(line["regions"], regions)
     found = [np.array(region["place_mm"]) for region in line["regions"]]
     unmatched = set(range(len(found)))
     for region in regions:

@@ -19,6 +19,7 @@ CELL_MM = 0.1
 MAX_VERTICES = 30
 PATTERN = 12  # cells: paths of their own for each of the cells of a square of this side
 SETS = PATTERN * PATTERN
+ALL = (slice(None), slice(None))
 AROUND = 60  # cells: paths go no further aside
 
 
@@ -116,22 +117,27 @@ class Pencil:
         """What an endless even layer gives."""
         return sum(paths.even(thickness_mm) for paths in self._sets) / self._launched
 
-    def relative(self, thick_mm: np.ndarray, even_mm: float, row: int = 0, column: int = 0) -> np.ndarray:
+    def relative(
+        self, thick_mm: np.ndarray, even_mm: float, row: int = 0, column: int = 0, part: tuple[slice, slice] = ALL
+    ) -> np.ndarray:
         """Brightness at every cell of a map of thickness over that of an endless even layer. The map: rows across,
         columns along; CELL_MM; 0 where the face ends; beyond it goes on as at its border. row, column: of the map's
-        first cell on the face, so that a cell has the same paths in every map."""
+        first cell on the face, so that a cell has the same paths in every map. part: rows and columns that are asked
+        for; the others are 0."""
         wide = np.pad(thick_mm.astype(np.float32), AROUND, mode="edge")
-        result = np.empty(thick_mm.shape, np.float32)
+        result = np.zeros(thick_mm.shape, np.float32)
+        all_rows, all_columns = (np.arange(size)[which] for size, which in zip(thick_mm.shape, part))
         for number, paths in enumerate(self._sets):
-            down, right = (number // PATTERN - row) % PATTERN, (number - column) % PATTERN
-            rows, columns = np.arange(down, thick_mm.shape[0], PATTERN), np.arange(right, thick_mm.shape[1], PATTERN)
-            seen = paths.over(wide, rows + AROUND, columns + AROUND)
-            result[down::PATTERN, right::PATTERN] = seen / paths.even(even_mm)
+            rows = all_rows[(all_rows + row) % PATTERN == number // PATTERN]
+            columns = all_columns[(all_columns + column) % PATTERN == number % PATTERN]
+            if len(rows) and len(columns):
+                seen = paths.over(wide, rows + AROUND, columns + AROUND)
+                result[np.ix_(rows, columns)] = seen / paths.even(even_mm)
         return result
 
 
 class ScatteringLayer:
-    """Pencils at places along a finger, whose angles change from base to tip."""
+    """Pencils at places along a finger and across it, as angles change from base to tip and from side to side."""
 
     def __init__(
         self,
@@ -139,27 +145,38 @@ class ScatteringLayer:
         scatter_per_mm: float,
         absorb_per_mm: float,
         layer_mm: float,
-        places_mm: np.ndarray,  # along, rising
-        sights: np.ndarray,  # (n, 3)
+        along_mm: np.ndarray,  # places, rising
+        across_mm: np.ndarray,
+        sights: np.ndarray,  # (along, across, 3)
         lights: np.ndarray,
         paths: int = 700 * SETS,
     ):
-        self.layer_mm, self.places_mm = layer_mm, places_mm
+        self.layer_mm, self._along_mm, self._across_mm = layer_mm, along_mm, across_mm
         seed = int(rng.integers(1 << 40))  # the same draws at all places, so that nothing but angles differs
-        self._pencils = [
-            Pencil.walk(np.random.default_rng(seed), scatter_per_mm, absorb_per_mm, sight, light, 1.3 * layer_mm, paths)
-            for sight, light in zip(sights, lights)
-        ]
+        walk = lambda *angles: Pencil.walk(  # noqa: E731
+            np.random.default_rng(seed), scatter_per_mm, absorb_per_mm, *angles, 1.3 * layer_mm, paths
+        )
+        self._pencils = [list(map(walk, *row)) for row in zip(sights, lights)]
 
-    def relative(self, along_mm: np.ndarray, across_mm: np.ndarray, thick_mm: np.ndarray) -> np.ndarray:
-        """Brightness over that of an endless untouched layer, on a map whose columns and rows lie at these places."""
+    def relative(
+        self, along_mm: np.ndarray, across_mm: np.ndarray, thick_mm: np.ndarray, sideways: bool
+    ) -> np.ndarray:
+        """Brightness over that of an endless untouched layer, on a map whose columns and rows lie at these places.
+        sideways: sight and light lean to the sides as well, as they do."""
         first = [round(float(places[0]) / CELL_MM) for places in (across_mm, along_mm)]
-        place = np.interp(along_mm, self.places_mm, np.arange(len(self.places_mm)))
-        low = np.minimum(place.astype(int), len(self.places_mm) - 2)
-        share = place - low
+        of_columns = _shares(along_mm, self._along_mm)
+        of_rows = _shares(across_mm if sideways else np.zeros_like(across_mm), self._across_mm)
         result = np.zeros(thick_mm.shape, np.float32)
-        for number in sorted(set(low) | set(low + 1)):
-            weight = np.where(low == number, 1 - share, 0) + np.where(low + 1 == number, share, 0)
-            seen = self._pencils[number].relative(thick_mm, self.layer_mm, *first)
-            result += weight[None, :].astype(np.float32) * seen
+        for pencils, by_column in zip(self._pencils, of_columns):
+            for pencil, by_row in zip(pencils, of_rows):
+                columns, rows = np.flatnonzero(by_column), np.flatnonzero(by_row)
+                if len(columns) and len(rows):
+                    part = slice(rows[0], rows[-1] + 1), slice(columns[0], columns[-1] + 1)
+                    seen = pencil.relative(thick_mm, self.layer_mm, *first, part)
+                    result += np.outer(by_row, by_column).astype(np.float32) * seen
         return result
+
+
+def _shares(at_mm: np.ndarray, places_mm: np.ndarray) -> np.ndarray:
+    """Weights (places, at) of a straight line between two places."""
+    return np.stack([np.interp(at_mm, places_mm, one) for one in np.eye(len(places_mm))])

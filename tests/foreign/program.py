@@ -23,6 +23,7 @@ class Run:
     calibration: dict[str, Any] = field(default_factory=dict)
     lines: dict[str, dict[str, Any]] = field(default_factory=dict)
     results: Path = Path()
+    points: Path = Path()  # results of pairs of points, where there are any
     seconds: dict[str, float] = field(default_factory=dict)
     unnamed: list[str] = field(default_factory=list)  # pictures that cannot be measured rightly, yet no problem is told
 
@@ -35,7 +36,7 @@ def run_program(
     rods = sorted((made / "bodies").glob("*.png")) if with_rods else []
     bodies = [word for rod in rods for word in ("--body", f"{rod.stem}={made.absolute() / 'bodies' / 'rod.stl'}")]
     finger = scratch / "finger"
-    run = Run(results=scratch / "results")
+    run = Run(results=scratch / "results", points=scratch / "points")
     steps = (
         (
             "new",
@@ -89,6 +90,9 @@ def run_program(
             if name != "reconstruct":
                 return run
     run.lines = _lines(run.results)
+    if (made / "points").exists():
+        command = [program, "reconstruct", scratch / "finger", made / "points", "-o", run.points, "--format", "depth"]
+        subprocess.run([*map(str, command), *settings], capture_output=True, timeout=COMMAND_S, check=False, env=environment)
     if (made / "degraded").exists():
         run.unnamed = _unnamed(program, made, scratch)
     return run

@@ -13,6 +13,7 @@ from dots import Dot, draw_dot
 from face import Face, Pose, RestShape
 from finger import Blemish, Finger
 from pencils import CELL_MM
+from points import Pair, PairDent
 
 KNOTS_ALONG = 90
 REGION_MM = 0.1
@@ -49,7 +50,7 @@ class Renderer:
         u = (np.arange(camera.width_px) - camera.centre_px[0]) / camera.width_px
         v = (np.arange(camera.height_px) - camera.centre_px[1]) / camera.width_px
         radius = u[None, :] ** 2 + v[:, None] ** 2
-        self._edges: tuple[np.ndarray, np.ndarray, np.ndarray] | None = None
+        self._even: dict[bool, tuple[np.ndarray, np.ndarray, np.ndarray]] = {}
         self._lens = (1 - finger.vignetting * radius / radius.max()).astype(np.float32)
 
     def _full(self, knots: np.ndarray) -> np.ndarray:
@@ -62,8 +63,9 @@ class Renderer:
         bodies: Sequence[Body] = (),
         hidden: frozenset[int] = frozenset(),
         with_truth: bool = False,
+        pairs: Sequence[Pair] = (),
     ) -> tuple[np.ndarray, Truth | None]:
-        """Grey levels before the sensor; hidden: indices of dots that something covers."""
+        """Grey levels before the sensor; hidden: indices of dots that something covers; pairs: no part of the truth."""
         finger, rest = self.finger, self.finger.rest
         face = Face(rest, pose)
         s_knots, w_knots = face.meet(self._origins, self._lines)
@@ -79,7 +81,9 @@ class Renderer:
             _blemish(face_grey, s, w, blemish)
         depth = np.zeros_like(s) if with_truth else None
         for body in bodies:
-            self._press(face, body, s, w, face_grey, depth)
+            self._press(Dent(face, finger.skin, body), body, s, w, face_grey, depth)
+        for pair in pairs:
+            self._press(PairDent(face, pair), pair, s, w, face_grey, None)
         picture = cover * face_grey + (1 - cover) * self._backdrop(grey, s, w)
         for number, dot in enumerate(finger.dots):
             if number not in hidden:
@@ -100,24 +104,23 @@ class Renderer:
 
     def _press(
         self,
-        face: Face,
-        body: Body,
+        dent: Dent | PairDent,
+        what: Body | Pair,
         s: np.ndarray,
         w: np.ndarray,
         grey: np.ndarray,
         depth: np.ndarray | None,
     ) -> None:
         finger, rest = self.finger, self.finger.rest
-        dent = Dent(face, finger.skin, body)
-        reach = body.reach_mm() + 3.0
-        near = (np.abs(s - body.s_mm) < reach * 1.5) & (np.abs(w - body.w_mm) < reach * 1.2)
+        reach = what.reach_mm() + 3.0
+        near = (np.abs(s - what.s_mm) < reach * 1.5) & (np.abs(w - what.w_mm) < reach * 1.2)
         near &= (np.abs(w) < rest.width_mm / 2 + 0.6) & (s > -0.6) & (s < rest.length_mm + 0.6)
         rows, columns = np.flatnonzero(near.any(axis=1)), np.flatnonzero(near.any(axis=0))
         if not len(rows):
             return
         window = np.s_[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1]
         here = near[window]
-        point = face.point(s[window], w[window])
+        point = dent.face.point(s[window], w[window])
         here &= dent.reaches(point[..., 0], point[..., 1])
         thick = np.full(here.shape, rest.layer_mm)
         thick[here] = dent.thickness_at(s[window][here], w[window][here])
@@ -126,27 +129,29 @@ class Renderer:
         mm_per_px_u = float(np.median(np.abs(np.gradient(s[window], axis=1)))) if len(columns) > 1 else 0.1
         spread = finger.spread_mm
         grey[window] *= blurred(share, spread / max(mm_per_px_v, 1e-3), spread / max(mm_per_px_u, 1e-3))
-        if depth is not None:
+        if depth is not None and isinstance(dent, Dent):
             part = np.zeros(here.shape)
             part[here] = dent.depth_at(point[here][:, 0], point[here][:, 1])
             depth[window] += part
 
-    def _untouched(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    def _untouched(self, sideways: bool) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Brightness over that of an endless layer where nothing presses: places along and across, and the map."""
         rest, scattering = self.finger.rest, self.finger.scattering
         assert scattering is not None
-        if self._edges is None:
+        if sideways not in self._even:
             along, across = _grid(-0.2, rest.length_mm + 0.2), _grid(-rest.width_mm / 2 - 0.2, rest.width_mm / 2 + 0.2)
             thick = _framed(np.full((len(across), len(along)), rest.layer_mm), along, across, rest)
-            shares = scattering.relative(along, across, thick)
-            self._edges = along, across, _to_the_border(shares, along, across, rest)
-        return self._edges
+            shares = scattering.relative(along, across, thick, sideways)
+            self._even[sideways] = along, across, _to_the_border(shares, along, across, rest)
+        return self._even[sideways]
 
     def _borders(self, s: np.ndarray, w: np.ndarray) -> np.ndarray:
-        """What scattered light loses beside the face's borders, as a share of an endless layer's."""
-        return _looked_up(*self._untouched(), s, w)
+        """What scattered light loses beside the face's borders, as a share of an endless layer's. A line of sight that
+        leans to a side meets the side face at some 70 degrees from its normal and is reflected back into the layer
+        (silicone reflects all beyond 45 degrees): it does not leave there."""
+        return _looked_up(*self._untouched(sideways=False), s, w)
 
-    def _scattered(self, s: np.ndarray, w: np.ndarray, dent: Dent) -> np.ndarray:
+    def _scattered(self, s: np.ndarray, w: np.ndarray, dent: Dent | PairDent) -> np.ndarray:
         """Brightness of the pressed face over the untouched one."""
         rest, scattering = self.finger.rest, self.finger.scattering
         assert scattering is not None
@@ -156,8 +161,8 @@ class Renderer:
         point = dent.face.point(s_grid, w_grid)
         here = dent.reaches(point[..., 0], point[..., 1])
         thick[here] = dent.thickness_at(s_grid[here], w_grid[here])
-        pressed = scattering.relative(along, across, _framed(thick, along, across, rest))
-        all_along, all_across, untouched = self._untouched()
+        pressed = scattering.relative(along, across, _framed(thick, along, across, rest), sideways=True)
+        all_along, all_across, untouched = self._untouched(sideways=True)
         columns = np.clip(np.rint((along - all_along[0]) / CELL_MM).astype(int), 0, len(all_along) - 1)
         rows = np.clip(np.rint((across - all_across[0]) / CELL_MM).astype(int), 0, len(all_across) - 1)
         before = np.maximum(untouched[np.ix_(rows, columns)], 1e-3)

@@ -63,6 +63,17 @@ def must_reach(fingers: list[Finger]) -> list[tuple[str, bool, str]]:
         of_class = {f["class"]: values([g for g in fingers if g["class"] == f["class"]], "z_squared") for f in fingers}
         worst, name = max((found.mean(), kind) for kind, found in of_class.items() if len(found))
         add("z squared below 2.5 for each class", worst < 2.5, f"{worst:.2f} ({name})")
+    bands = values(fingers, "band")
+    if len(bands):
+        add("bands of 95 % hold 92 to 98 %, mean of fingers", 0.92 <= bands.mean() <= 0.98, f"{bands.mean():.3f}")
+    quantile("place mm", "place_mm", 95, 0.1, fingers)
+    places = values(fingers, "place_z_squared")
+    if len(places):
+        add("z squared of place 0.7 to 1.5 on average", 0.7 <= places.mean() <= 1.5, f"{places.mean():.2f}")
+    told = values(fingers, "resolution_ratio")
+    if len(told):
+        off = float(np.percentile(np.abs(told - 1), 50))
+        add("told resolution within 15 % of the measured, median of fingers", off <= 0.15, f"{off:.2f}")
     return rows
 
 
@@ -84,6 +95,13 @@ COLUMNS = (
     ("markers_found", "dots found"),
     ("promise_ratio", "promise"),
     ("z_squared", "z squared"),
+    ("band", "95 % band"),
+    ("halo_mm", "halo mm"),
+    ("place_mm", "place mm"),
+    ("along_mm", "along mm"),
+    ("place_z_squared", "place z2"),
+    ("two_points_mm", "two points"),
+    ("resolution_ratio", "told / it"),
 )
 
 
