@@ -294,8 +294,8 @@ void MeasuringSteps::find_regions(FrameResult& result, StopWatch& watch) const {
   // Of bars at random positions and angles in rendered images: their upright ends.
   constexpr double kAxisBeyondNoiseDeg = 0.021;
   options.axis_beyond_noise_deg = kAxisBeyondNoiseDeg;
-  // Where along an oblique line of sight scattered light turned back is known to a part of the
-  // layer, as on fingers whose light was walked through theirs.
+  // Where on an oblique line of sight scattered light turned is known to a twentieth of the layer,
+  // as in images made by walks of light.
   constexpr double kTurningSd = 0.05;
   if (!mapping_->parameters().spread.is_local())
     options.along_sd_mm = kTurningSd * finger_->face.layer_mm;
