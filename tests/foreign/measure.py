@@ -286,7 +286,7 @@ def _thread_right(found: list[dict[str, Any]], crests: list[dict[str, Any]]) -> 
     if not found:
         return False, "no thread found"
     away = [min(np.linalg.norm(np.subtract(f["place_mm"], c["place_mm"])) for c in crests) for f in found]
-    wrong = sum(mm > REGION_MM for mm in away)
+    wrong = sum(bool(mm > REGION_MM) for mm in away)
     return wrong == 0, f"{wrong} away from the thread" if wrong else ""
 
 
