@@ -119,7 +119,10 @@ TEST(FirstUser, ReachesAVerdictByReadingOnlyWhatIsOnTheScreen) {
            !newcomer.reads("Enough: all directions");
   };
   for (int turn = 0; turn < 4 * kMostActions && verdict_read_by(newcomer).isEmpty(); ++turn) {
-    if (newcomer.type_what_is_asked_for("Ball's radius")) continue;
+    if (newcomer.type_what_is_asked_for("Ball's radius")) {
+      QTest::qWait(400);  // what a hand takes
+      continue;
+    }
     ASSERT_TRUE(
         looks_until([&] { return newcomer.standing_out() != nullptr && !is_busy(); }, 240000))
         << "nothing stands out after: " << newcomer.actions().join("; ").toStdString() << "\n"
