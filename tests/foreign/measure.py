@@ -215,7 +215,7 @@ def _add_depth(
         sums.rim_pixels += int(rim.sum())
     free = on_face & (np.nan_to_num(true_depth, nan=1.0) < UNTOUCHED_MM)
     if pressed.any():
-        sums.halo.append(depth[free & measured & _near(pressed, free)].astype(float))
+        sums.halo.append(depth[free & measured & _near(pressed)].astype(float))
     sums.free.append(depth[free & measured].astype(float))
     if free.any():
         sums.free_share.append(float((free & measured).sum() / free.sum()))
@@ -227,7 +227,7 @@ def _add_depth(
     sums.off_face.append(int((measured & ~on_face).sum()))
 
 
-def _near(pressed: np.ndarray, free: np.ndarray) -> np.ndarray:
+def _near(pressed: np.ndarray) -> np.ndarray:
     """Within HALO_PX of what is pressed."""
     away = cv2.distanceTransform((~pressed).astype(np.uint8), cv2.DIST_L2, 5)
     return away <= HALO_PX * pressed.shape[1] / 960

@@ -475,10 +475,6 @@ cv::Size margin_of(const UnrolledFace& face, double skirt_mm) {
           static_cast<int>(std::ceil(kSkirts * skirt_mm / face.step_across_mm() + across))};
 }
 
-}  // namespace
-
-namespace {
-
 /// The change by the removal of spread light grows as 1 / core - 1: its relative growth per optical
 /// thickness.
 double growth(const LightSpread& spread) {

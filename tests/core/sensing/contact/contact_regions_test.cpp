@@ -222,7 +222,7 @@ TEST(ContactRegions, OverUnevenNoiseTheAxisIsAsSureAsItSays) {
   const auto noise_at = [](int u, int) {
     return 0.02 * std::pow(4.0, (u - 0.5 * kWidth) * kMmPerPx / 8.0);
   };
-  double even = 0, weighed = 0, normalised = 0, normalised_place = 0;
+  double even = 0, weighed = 0, normalised = 0, normalised_position = 0;
   constexpr int kRuns = 300;
   for (int run = 0; run < kRuns; ++run) {
     const double angle = std::uniform_real_distribution<double>(-89, 90)(engine);
@@ -254,18 +254,18 @@ TEST(ContactRegions, OverUnevenNoiseTheAxisIsAsSureAsItSays) {
     const double error = error_of(regions);
     weighed += error * error;
     normalised += std::pow(error / *regions[0].angle_sd_deg, 2) / kRuns;
-    // The plane is known and so is the lens: the place errs on the face by noise alone.
+    // The plane is known and so is the lens: the position errs on the face by noise alone.
     ASSERT_TRUE(regions[0].position_covariance_mm2);
     const Eigen::Matrix2d by_noise_mm2 = regions[0].position_covariance_mm2->topLeftCorner<2, 2>();
     const Eigen::Vector2d off_mm = regions[0].position_mm.head<2>();  // pressed at 0, 0
-    normalised_place += off_mm.dot(by_noise_mm2.inverse() * off_mm) / (2 * kRuns);
+    normalised_position += off_mm.dot(by_noise_mm2.inverse() * off_mm) / (2 * kRuns);
   }
   std::printf(
       "[ figures  ] axis over uneven noise: even weights %.3f, 1/variance %.3f degrees rms; "
-      "normalised error squared %.3f, of the place %.3f\n",
-      std::sqrt(even / kRuns), std::sqrt(weighed / kRuns), normalised, normalised_place);
-  EXPECT_GT(normalised_place, 0.7);
-  EXPECT_LT(normalised_place, 1.4);
+      "normalised error squared %.3f, of the position %.3f\n",
+      std::sqrt(even / kRuns), std::sqrt(weighed / kRuns), normalised, normalised_position);
+  EXPECT_GT(normalised_position, 0.7);
+  EXPECT_LT(normalised_position, 1.4);
   EXPECT_LT(weighed, 1.1 * even);
   EXPECT_NE(weighed, even) << "the weights do something";
   EXPECT_GT(normalised, 0.8);
