@@ -75,11 +75,13 @@ template <class DepthAt>
 /// The difference at which the curve of `mapping` gives the depth that x means where b is `b_here`.
 [[nodiscard]] double difference_on_curve(double x, double b_here, const MappingParameters& mapping);
 
-/// Solves x for y on the face, by some rounds of y += x - (what y would show) from y = x (van
-/// Cittert): detail that the core hardly transmits is left weak instead of its noise being raised
-/// without limit. Before, what is finer than some tenths of a millimetre is smoothed away. Then
-/// converts to the one curve of the mapping. Pixels without a measurement stay so. A difference
-/// that was treated before, and a mapping with local light, change nothing.
+/// Solves x for y on the face. The core's share is inverted cell by cell, once the skirt's is
+/// known; that is the q for which both agree, found by Newton's method on waves. Detail that the
+/// core hardly transmits is left weak instead of its noise being raised without limit: the core is
+/// taken for larger there (core_for_removal()), as if (1 - core)^n of the detail were left after n
+/// corrections (van Cittert). Before, what is finer than some tenths of a millimetre is smoothed
+/// away. Then converts to the one curve of the mapping. Pixels without a measurement stay so. A
+/// difference that was treated before, and a mapping with local light, change nothing.
 void remove_light_spread(const MappingParameters& mapping, const FaceShape& shape,
                          Difference* difference);
 

@@ -1,13 +1,15 @@
 #include "core/sensing/depth/unrolled_face.h"
 
 #include "core/numerics/dispatch.h"
+#include "core/numerics/vector_loops.h"
+#include "core/sensing/reference/image_warp.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
 #include <Eigen/Geometry>
-#include <opencv2/imgproc.hpp>
 
 namespace alltact {
 
@@ -82,10 +84,16 @@ UnrolledFace::UnrolledFace(const FaceShape& shape, double cell_mm) : shape_(shap
 }
 
 void UnrolledFace::tabulate_columns() {
-  const auto count = shape_.columns().size();
-  for (std::size_t k = 0; k < count; ++k) {
-    const std::size_t u = shape_.base_at_low_u() ? k : count - 1 - k;
-    const FaceColumn& column = shape_.columns()[u];
+  constexpr long kEvery = 8;  // the face is smooth
+  const auto& columns = shape_.columns();
+  const auto is_valid = [](const FaceColumn& column) { return column.valid; };
+  const long first = std::find_if(columns.begin(), columns.end(), is_valid) - columns.begin(),
+             last = columns.rend() - std::find_if(columns.rbegin(), columns.rend(), is_valid) - 1;
+  for (long k = 0; first + k <= last + kEvery - 1; k += kEvery) {
+    const long distance = std::min(k, last - first);
+    const auto u =
+        static_cast<std::size_t>(shape_.base_at_low_u() ? first + distance : last - distance);
+    const FaceColumn& column = columns[u];
     if (!column.valid) continue;
     const auto at_u = static_cast<double>(u);
     const double s = shape_.length_at(at_u);
@@ -150,8 +158,36 @@ UnrolledFace UnrolledFace::part(const cv::Rect& cells) const {
   return part;
 }
 
+namespace {
+
+/// Cells of a row at w mm across the face; NaN outside of the image. Only loads from fixed pointers
+/// are vectorised.
+ALLTACT_WIDE void sample_row(const float* __restrict image, const float* __restrict right,
+                             const float* __restrict below, const float* __restrict diagonal,
+                             int step, const cv::Size& size, const float* __restrict at_u,
+                             const float* __restrict middle_v, const float* __restrict px_per_mm,
+                             float w_mm, int count, float* __restrict out) {
+  const auto last_u = static_cast<float>(size.width - 1),
+             last_v = static_cast<float>(size.height - 1);
+  for (int i = 0; i < count; ++i) {
+    const float u = at_u[i], v = middle_v[i] + w_mm * px_per_mm[i];
+    const float inner_u = std::min(std::max(u, 0.0F), last_u - 0.001F),
+                inner_v = std::min(std::max(v, 0.0F), last_v - 0.001F);
+    const int column = static_cast<int>(inner_u), row = static_cast<int>(inner_v);
+    const float a = inner_u - static_cast<float>(column), b = inner_v - static_cast<float>(row);
+    const int at = row * step + column;
+    const float above = image[at] + a * (right[at] - image[at]);
+    const float under = below[at] + a * (diagonal[at] - below[at]);
+    const float value = above + b * (under - above);
+    const bool is_within = (u >= 0.0F) & (u <= last_u) & (v >= 0.0F) & (v <= last_v);
+    out[i] = is_within ? value : std::numeric_limits<float>::quiet_NaN();
+  }
+}
+
+}  // namespace
+
 cv::Mat UnrolledFace::from_pixels(const cv::Mat& image, cv::Mat* measured) const {
-  cv::Mat at_u(size_, CV_32FC1), at_v(size_, CV_32FC1), cells;
+  cv::Mat cells(size_, CV_32FC1);
   std::vector<float> u, middle_v, px_per_mm;
   for (int i = 0; i < size_.width; ++i) {
     const double s = along_mm(i);
@@ -159,14 +195,12 @@ cv::Mat UnrolledFace::from_pixels(const cv::Mat& image, cv::Mat* measured) const
     middle_v.push_back(static_cast<float>(along(middle_v_, s)));
     px_per_mm.push_back(static_cast<float>(1.0 / along(mm_per_px_, s)));
   }
-  for (int j = 0; j < size_.height; ++j) {
-    const auto w = static_cast<float>((j - middle_row()) * step_w_);
-    std::copy(u.begin(), u.end(), at_u.ptr<float>(j));
-    float* v = at_v.ptr<float>(j);
-    for (std::size_t i = 0; i < u.size(); ++i) v[i] = middle_v[i] + w * px_per_mm[i];
-  }
-  cv::remap(image, cells, at_u, at_v, cv::INTER_LINEAR, cv::BORDER_CONSTANT,
-            cv::Scalar(std::numeric_limits<double>::quiet_NaN()));
+  const auto* first = image.ptr<float>();
+  const auto step = static_cast<int>(image.step1());
+  for (int j = 0; j < size_.height; ++j)
+    sample_row(first, first + 1, first + step, first + step + 1, step, image.size(), u.data(),
+               middle_v.data(), px_per_mm.data(), static_cast<float>((j - middle_row()) * step_w_),
+               size_.width, cells.ptr<float>(j));
   if (measured != nullptr) *measured = cells == cells;  // NaN is not itself
   fill_unmeasured(cells);
   return cells;
@@ -201,36 +235,71 @@ UnrolledFace::PixelColumns UnrolledFace::pixel_columns(const cv::Size& size) con
 
 namespace {
 
-/// A row of an image from cells.
-ALLTACT_WIDE void interpolate_row(const cv::Mat& cells, const int* __restrict column,
-                                  const float* __restrict part, const float* __restrict middle_v,
-                                  const float* __restrict rows_per_px, float v, float middle_row,
-                                  int count, float* __restrict out) {
-  const float last = static_cast<float>(cells.rows) - 1.001F;
-  const auto step = static_cast<std::ptrdiff_t>(cells.step1());
-  const float* first = cells.ptr<float>();
+/// A row of cells at image columns. Only loads from fixed pointers are vectorised.
+ALLTACT_WIDE void interpolate_along(const float* __restrict cells, const float* __restrict next,
+                                    const int* __restrict column, const float* __restrict part,
+                                    int count, float* __restrict out) {
   for (int u = 0; u < count; ++u) {
-    const float row =
-        std::min(std::max((v - middle_v[u]) * rows_per_px[u] + middle_row, 0.0F), last);
-    const int j = static_cast<int>(row);
-    const float down = row - static_cast<float>(j);
-    const float* at = first + j * step + column[u];
-    const float above = at[0] + part[u] * (at[1] - at[0]),
-                below = at[step] + part[u] * (at[step + 1] - at[step]);
-    out[u] = above + down * (below - above);
+    const int at = column[u];
+    out[u] = cells[at] + part[u] * (next[at] - cells[at]);
   }
+}
+
+/// A row of an image from rows of cells at its columns. Neighbouring pixels lie between the same
+/// rows or the next: the sum over all rows near a block, each by its distance, needs no branches.
+ALLTACT_WIDE void interpolate_across(const float* __restrict cell_rows, std::ptrdiff_t step,
+                                     float last_row, const float* __restrict middle_v,
+                                     const float* __restrict rows_per_px, float v, float middle_row,
+                                     int count, float* __restrict out) {
+  in_blocks(
+      count, [=](int first, auto size) __attribute__((always_inline)) {
+        std::array<float, kBlock> row, sum{};
+        for (int k = 0; k < size; ++k) {
+          const int u = first + k;
+          const float at = (v - middle_v[u]) * rows_per_px[u] + middle_row;
+          row[static_cast<std::size_t>(k)] = std::min(std::max(at, 0.0F), last_row);
+        }
+        int least = static_cast<int>(row[0]), most = least;
+        for (int k = 0; k < size; ++k) {
+          const int above = static_cast<int>(row[static_cast<std::size_t>(k)]);
+          least = above < least ? above : least;
+          most = above > most ? above : most;
+        }
+        for (int j = least; j <= most + 1; ++j) {
+          const float* cells = cell_rows + j * step + first;
+          const auto here = static_cast<float>(j);
+          for (int k = 0; k < size; ++k) {
+            const auto i = static_cast<std::size_t>(k);
+            const float weight = 1.0F - std::abs(row[i] - here);
+            sum[i] += (weight > 0.0F ? weight : 0.0F) * cells[k];
+          }
+        }
+        for (int k = 0; k < size; ++k) out[first + k] = sum[static_cast<std::size_t>(k)];
+      });
 }
 
 }  // namespace
 
-cv::Mat UnrolledFace::to_pixels(const cv::Mat& cells, const cv::Size& size) const {
+std::vector<cv::Mat> UnrolledFace::to_pixels(std::span<const cv::Mat> all,
+                                             const cv::Size& size) const {
   const PixelColumns pixels = pixel_columns(size);
-  cv::Mat at_pixel = cv::Mat::zeros(size, CV_32FC1);
-  for (int v = pixels.rows.start; v < pixels.rows.end; ++v)
-    interpolate_row(cells, pixels.column.data(), pixels.part.data(), pixels.middle_v.data(),
-                    pixels.rows_per_px.data(), static_cast<float>(v),
-                    static_cast<float>(middle_row_), size.width, at_pixel.ptr<float>(v));
-  return at_pixel;
+  cv::Mat at_columns = pooled_image({size.width, size_.height}, CV_32FC1);
+  std::vector<cv::Mat> images;
+  for (const cv::Mat& cells : all) {
+    for (int j = 0; j < cells.rows; ++j)
+      interpolate_along(cells.ptr<float>(j), cells.ptr<float>(j) + 1, pixels.column.data(),
+                        pixels.part.data(), size.width, at_columns.ptr<float>(j));
+    cv::Mat image = pooled_image(size, CV_32FC1);
+    image.rowRange(0, pixels.rows.start).setTo(0.0);
+    image.rowRange(pixels.rows.end, size.height).setTo(0.0);
+    for (int v = pixels.rows.start; v < pixels.rows.end; ++v)
+      interpolate_across(at_columns.ptr<float>(), static_cast<std::ptrdiff_t>(at_columns.step1()),
+                         static_cast<float>(cells.rows) - 1.001F, pixels.middle_v.data(),
+                         pixels.rows_per_px.data(), static_cast<float>(v),
+                         static_cast<float>(middle_row_), size.width, image.ptr<float>(v));
+    images.push_back(image);
+  }
+  return images;
 }
 
 }  // namespace alltact

@@ -5,6 +5,7 @@
 #include "core/sensing/face/face_shape.h"
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <Eigen/Core>
@@ -53,8 +54,10 @@ class UnrolledFace {
   /// measurement take the nearest across the face, else along it; all 0 where there is none.
   /// `measured`: CV_8UC1, 255 where a cell has its own.
   [[nodiscard]] cv::Mat from_pixels(const cv::Mat& image, cv::Mat* measured = nullptr) const;
-  /// Cells (CV_32FC1) at the pixels of an image of this size. Above and below the face all are 0.
-  [[nodiscard]] cv::Mat to_pixels(const cv::Mat& cells, const cv::Size& size) const;
+  /// Each of `all` (cells, CV_32FC1) at the pixels of an image of this size. Above and below the
+  /// face all are 0.
+  [[nodiscard]] std::vector<cv::Mat> to_pixels(std::span<const cv::Mat> all,
+                                               const cv::Size& size) const;
 
  private:
   struct PixelColumns;

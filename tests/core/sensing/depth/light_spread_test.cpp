@@ -129,6 +129,44 @@ TEST(LightSpread, RemovalGivesTheDepthOfAWalkedLayer) {
   }
 }
 
+// Detail as fine as the smoothing is partly lost. The told sd has the size of what is missing, and
+// broad bodies are told to lose nothing.
+TEST(LightSpread, WhatIsTooFineForRemovalIsTold) {
+  const MadeScene scene = flat_scene();
+  for (const double optical : {0.5, 1.0, 1.6}) {
+    const WalkedLayer layer(1.5, optical, 0.6, 12000, 5);
+    MappingParameters mapping = curve_of_even_layers(layer);
+    mapping.spread.optical_thickness = optical;
+    mapping.spread.b_straight = mapping.b;
+    /// Errors and told sd of a body's depth around its middle, root mean square, mm.
+    struct Loss {
+      double found_mm, told_mm;
+    };
+    const auto loss_of = [&](const std::function<double(double)>& depth) {
+      Difference difference = walked_difference(layer, depth);
+      remove_light_spread(mapping, scene.shape, &difference);
+      double found = 0, told = 0;
+      int count = 0;
+      for (int v = 130; v <= 170; ++v)
+        for (int u = 180; u <= 220; ++u, ++count) {
+          const double x = difference.x.at<float>(v, u);
+          const double read_mm = mapping.a_mm * x / (1.0 + mapping.b * x);
+          found += std::pow(read_mm - depth(0.05 * std::hypot(u - 200, v - 150)), 2);
+          told += std::pow(difference.spread_removed.lost_mm.at<float>(v, u), 2);
+        }
+      return Loss{std::sqrt(found / count), std::sqrt(told / count)};
+    };
+    const Loss pin = loss_of([](double r) { return 0.4 / (1.0 + std::exp((r - 0.5) / 0.03)); });
+    const Loss ball = loss_of([](double r) { return std::max(0.0, 0.5 - r * r / 8.0); });
+    printf("[ figures  ] optical thickness %.1f: pin %.3f told %.3f, ball %.3f told %.3f mm\n",
+           optical, pin.found_mm, pin.told_mm, ball.found_mm, ball.told_mm);
+    EXPECT_GT(pin.found_mm, 0.02) << optical;
+    EXPECT_LT(pin.found_mm, 1.4 * pin.told_mm) << optical;
+    EXPECT_GT(pin.found_mm, 0.7 * pin.told_mm) << optical;
+    EXPECT_LT(ball.told_mm, 0.01) << optical;
+  }
+}
+
 TEST(LightSpread, EvenLayersShowWhatTheyShowWithoutSpread) {
   const MadeScene scene = flat_scene();
   for (const double y : {-0.1, 0.05, 0.3, 0.6}) {
