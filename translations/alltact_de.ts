@@ -15673,5 +15673,13 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>stopped before the body was compared</source>
         <translation>angehalten, bevor der Körper verglichen wurde</translation>
     </message>
+    <message>
+        <source>must be four numbers from 0 to 1000</source>
+        <translation>muss aus vier Zahlen von 0 bis 1000 bestehen</translation>
+    </message>
+    <message>
+        <source>the standard deviations of fx, fy, cx and cy in pixels, or none</source>
+        <translation>die Standardabweichungen von fx, fy, cx und cy in Pixeln, oder nichts</translation>
+    </message>
 </context>
 </TS>

@@ -15602,5 +15602,13 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>stopped before the body was compared</source>
         <translation>在比较物体之前已停止</translation>
     </message>
+    <message>
+        <source>must be four numbers from 0 to 1000</source>
+        <translation>必须是 0 到 1000 之间的四个数</translation>
+    </message>
+    <message>
+        <source>the standard deviations of fx, fy, cx and cy in pixels, or none</source>
+        <translation>fx、fy、cx、cy 的标准差（像素），或不写</translation>
+    </message>
 </context>
 </TS>

@@ -42,8 +42,8 @@ void print_lens(const LensCalibration& done, const LensSettings& settings, Conso
   console.say(
       fmt::format("Lens: {}, {} x {} px, fx {:.2f} +- {:.2f}, fy {:.2f} +- {:.2f}, centre "
                   "({:.2f} +- {:.2f}, {:.2f} +- {:.2f}) px",
-                  to_string(lens.model), lens.width_px, lens.height_px, lens.fx_px, done.sd_px[0],
-                  lens.fy_px, done.sd_px[1], lens.cx_px, done.sd_px[2], lens.cy_px, done.sd_px[3]));
+                  to_string(lens.model), lens.width_px, lens.height_px, lens.fx_px, lens.sd_px[0],
+                  lens.fy_px, lens.sd_px[1], lens.cx_px, lens.sd_px[2], lens.cy_px, lens.sd_px[3]));
   std::string errors = fmt::format("Corner error: {:.3f} px in fitted views", done.fit.sigma_px);
   if (done.held_out)
     errors += fmt::format(", {:.3f} px in held-out views", done.held_out->error_px);
@@ -106,7 +106,7 @@ void answer(const LensViews& found, const LensCalibration& done, Console::Json& 
   json["cy"] = lens.cy_px;
   json["distortion"] = lens.distortion;
   json["sd"] = {
-      {"fx", done.sd_px[0]}, {"fy", done.sd_px[1]}, {"cx", done.sd_px[2]}, {"cy", done.sd_px[3]}};
+      {"fx", lens.sd_px[0]}, {"fy", lens.sd_px[1]}, {"cx", lens.sd_px[2]}, {"cy", lens.sd_px[3]}};
   json["fx_fit_sd"] = done.fit.sd(0);
   json["focal_sd_percent"] = 100 * done.focal_sd_part;
   json["error_mm"] = done.verdict.error_mm;

@@ -343,9 +343,10 @@ void judge(LensCalibration& calibration, double distance_mm, int coefficients, c
   const Eigen::Vector4d by_views = lens_sd_px(fit, calibration.held_out, calibration.halves, {});
   const double disagreement = by_views.head<2>().cwiseQuotient(covariance_sd.head<2>()).maxCoeff();
   calibration.shape = board_shape(calibration.used, fit, coefficients, disagreement, job);
-  calibration.sd_px = lens_sd_px(fit, calibration.held_out, calibration.halves, calibration.shape);
-  calibration.focal_sd_part =
-      std::max(calibration.sd_px[0] / fit.lens.fx_px, calibration.sd_px[1] / fit.lens.fy_px);
+  const Eigen::Vector4d sd_px =
+      lens_sd_px(fit, calibration.held_out, calibration.halves, calibration.shape);
+  calibration.fit.lens.sd_px.assign(sd_px.begin(), sd_px.end());
+  calibration.focal_sd_part = std::max(sd_px[0] / fit.lens.fx_px, sd_px[1] / fit.lens.fy_px);
   calibration.verdict = lens_verdict(calibration, distance_mm);
 }
 
@@ -507,8 +508,6 @@ LensRecord lens_record(const Board& board, const LensCalibration& done) {
   record["board"] = board.words().english();
   record["square_mm"] = fmt::format("{}", board.square_mm);
   record["views"] = fmt::format("{}", done.used.size());
-  record["fx_sd_px"] = fmt::format("{:.4f}", done.sd_px[0]);
-  record["fy_sd_px"] = fmt::format("{:.4f}", done.sd_px[1]);
   if (done.halves)
     record["fx_of_halves_px"] =
         fmt::format("{:.4f} {:.4f}", done.halves->numbers[0][0], done.halves->numbers[1][0]);

@@ -144,8 +144,7 @@ struct LensCalibration {
   std::optional<HalvesComparison> halves;
   std::optional<BoardShape> shape;
   LensCoverage coverage;
-  Eigen::Vector4d sd_px = Eigen::Vector4d::Zero();  ///< of fx, fy, cx, cy (lens_sd_px)
-  double focal_sd_part = 0;                         ///< the larger sd of fx and fy, as a fraction
+  double focal_sd_part = 0;  ///< the larger sd of fx and fy, as a fraction
   Verdict verdict;
   std::vector<Message> remarks;  ///< for the user
 };

@@ -70,6 +70,7 @@ FingerSnapshot at_scale(const FingerSnapshot& original, double by) {
   camera.cx_px = scaled_px(camera.cx_px, by);
   camera.cy_px = scaled_px(camera.cy_px, by);
   camera.mm_per_px /= by;
+  for (double& sd : camera.sd_px) sd *= by;
   if (auto& contact = scaled.finger.contact) {
     contact->threshold_px *= by;
     for (Eigen::Vector2d& marker : contact->rest_markers)

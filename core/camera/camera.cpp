@@ -81,6 +81,14 @@ std::optional<Error> centre_problem(const CameraParameters& p) {
   return std::nullopt;
 }
 
+std::optional<Error> sd_problem(const CameraParameters& p) {
+  const bool is_possible =
+      std::all_of(p.sd_px.begin(), p.sd_px.end(), [](double sd) { return sd >= 0 && sd <= 1000; });
+  if (p.sd_px.empty() || (p.sd_px.size() == 4 && is_possible)) return std::nullopt;
+  return Error{en::say("must be four numbers from 0 to 1000"), std::string("camera.sd_px"),
+               en::say("the standard deviations of fx, fy, cx and cy in pixels, or none")};
+}
+
 std::optional<Error> distortion_problem(const CameraParameters& p) {
   const std::size_t limit = coefficient_limit(p.model);
   if (p.distortion.size() > limit) {
@@ -123,7 +131,7 @@ std::optional<Orientation> orientation_from(std::string_view word) {
 
 Result<Camera> Camera::create(const CameraParameters& parameters) {
   for (const auto check :
-       {size_problem, scale_problem, centre_problem, distortion_problem, port_problem})
+       {size_problem, scale_problem, centre_problem, sd_problem, distortion_problem, port_problem})
     if (auto problem = check(parameters)) return *problem;
   Camera camera(parameters);
   if (parameters.model == CameraModel::kBrown)
@@ -397,6 +405,7 @@ CameraParameters reduced_camera(const CameraParameters& camera, int by) {
   reduced.cx_px = reduced_px(camera.cx_px, by);
   reduced.cy_px = reduced_px(camera.cy_px, by);
   reduced.mm_per_px *= by;
+  for (double& sd : reduced.sd_px) sd /= by;
   return reduced;
 }
 

@@ -78,6 +78,8 @@ struct CameraParameters {
   double fx_px = 0, fy_px = 0;  ///< focal lengths; unused when orthographic
   double cx_px = 0, cy_px = 0;  ///< principal point; the pixel at x = y = 0
   double mm_per_px = 0;         ///< orthographic only
+  /// Standard deviations of fx, fy, cx and cy. Empty: unknown, not in what is measured with it.
+  std::vector<double> sd_px;
   /// brown: k1 k2 p1 p2 k3 k4 k5 k6 s1 s2 s3 s4, as in OpenCV; fisheye: k1 k2 k3 k4; may be
   /// shorter.
   std::vector<double> distortion;

@@ -99,6 +99,7 @@ void describe(Fields& fields, CameraFile& file) {
   }
   fields.number("cx", camera.cx_px, en::say("the principal point in pixels"));
   fields.number("cy", camera.cy_px, en::say("the principal point in pixels"));
+  fields.numbers(may("sd_px", !camera.sd_px.empty()), camera.sd_px);
   fields.numbers(may("distortion"), camera.distortion);
   fields.choice(may("orientation"), camera.orientation, words_up_to(Orientation::kRotate270));
   fields.section(may("port"), camera.port);

@@ -92,7 +92,8 @@ TEST(Lens, ChessboardsGiveTheCameraOfAFinger) {
             0);
   const std::string finger = text_of(folder / "finger/finger.yaml");
   EXPECT_THAT(finger, HasSubstr("model: brown"));
-  EXPECT_THAT(finger, HasSubstr("fx_sd_px"));  // how the lens was calibrated stays with the finger
+  EXPECT_THAT(finger, HasSubstr("focal_sd_percent"));  // how the lens was calibrated stays
+  EXPECT_THAT(finger, HasSubstr("sd_px: ["));          // with the finger
 }
 
 TEST(Lens, OrientationTurnsTheLensToo) {

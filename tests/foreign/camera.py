@@ -32,6 +32,7 @@ class Camera:
     centre_px: tuple[float, float]
     distortion: tuple[float, ...] = field(default_factory=tuple)
     port: Port | None = None
+    sd_px: tuple[float, ...] = field(default_factory=tuple)  # of fx, fy, cx, cy, where they are estimates
 
     def project(self, points_mm: np.ndarray) -> np.ndarray:
         """(..., 3) points before the camera to (..., 2) pixels."""
@@ -109,6 +110,7 @@ class Camera:
             f"fy: {self.f_px[1]:.9g}",
             f"cx: {self.centre_px[0]:.9g}",
             f"cy: {self.centre_px[1]:.9g}",
+            *(["sd_px: [" + ", ".join(f"{sd:.4g}" for sd in self.sd_px) + "]"] if self.sd_px else []),
             "distortion: [" + ", ".join(f"{k:.9g}" for k in self.distortion) + "]",
             "orientation: none",
         ]

@@ -24,7 +24,7 @@ from mirror import mirrored_camera, mirrored_truth
 from points import DISTANCES_MM, Pair
 from render import Renderer
 
-VERSION = 9
+VERSION = 10
 PRESSES = 6
 RODS = 2
 TESTS = 10

@@ -306,10 +306,12 @@ def _complete(
         rng.uniform(3, 20),
         rng.uniform(20, 32) if is_dark else rng.uniform(2, 10),
     )
+    focal_sd, centre_sd_px = 3e-4, 0.15
     told = replace(
         camera,
-        f_px=tuple(f * (1 + rng.normal(0, 3e-4)) for f in camera.f_px),
-        centre_px=tuple(c + rng.normal(0, 0.15) for c in camera.centre_px),
+        f_px=tuple(f * (1 + rng.normal(0, focal_sd)) for f in camera.f_px),
+        centre_px=tuple(c + rng.normal(0, centre_sd_px) for c in camera.centre_px),
+        sd_px=(*(focal_sd * f for f in camera.f_px), centre_sd_px, centre_sd_px),
     )
     frames = int(rng.integers(70, 150))
     if camera.width_px >= 1280:

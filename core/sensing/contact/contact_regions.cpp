@@ -356,9 +356,14 @@ class RegionSums {
     if (options.pressed) {
       Eigen::Matrix2d centre_mm2 = options.correlated_px2 * centre_.covariance_mm2();
       centre_mm2(0, 0) += options.along_sd_mm * options.along_sd_mm;
-      region.position_covariance_mm2 =
+      const auto covariance =
           contact_covariance_mm2(shape_, region.position_px,
                                  errors_.mean_sd_mm(region, options.correlated_px2), centre_mm2);
+      if (const auto plane = contact_plane(shape_, region.position_px); plane && covariance) {
+        region.on_face_covariance_mm2 = plane->transpose() * *covariance * *plane;
+        region.position_covariance_mm2 =
+            *covariance + lens_covariance_mm2(shape_, region.position_px, region.position_mm);
+      }
     }
     if (const auto local = shape_.at(region.position_px.x(), region.position_px.y()))
       region.normal = local->normal;
@@ -600,6 +605,29 @@ std::optional<Eigen::Matrix3d> contact_covariance_mm2(const FaceShape& shape,
   Eigen::Matrix3d covariance = sight * sight.transpose();
   covariance(2, 2) += depth_sd_mm * depth_sd_mm;
   return covariance + *plane * centre_mm2 * plane->transpose();
+}
+
+Eigen::Matrix3d lens_covariance_mm2(const FaceShape& shape, const Eigen::Vector2d& pixel,
+                                    const Eigen::Vector3d& point_mm) {
+  const CameraParameters& lens = shape.camera().parameters();
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  const auto ray = shape.camera().unproject(pixel);
+  if (lens.sd_px.empty() || !ray) return covariance;
+  for (const int axis : {0, 1}) {
+    const auto next = shape.camera().unproject(pixel + Eigen::Vector2d::Unit(axis));
+    if (!next) continue;
+    const double sd_px = lens.sd_px[static_cast<std::size_t>(2 + axis)];
+    const Eigen::Vector3d moved_mm = sd_px * (next->origin_mm - ray->origin_mm +
+                                              point_mm.z() * (next->direction - ray->direction));
+    covariance += moved_mm * moved_mm.transpose();
+  }
+  if (!shape.camera().is_perspective()) return covariance;
+  const double focal_part = lens.sd_px[1] / lens.fy_px;
+  const Eigen::Vector3d moved_mm =
+      shape.face().kind == FaceKind::kFlat
+          ? Eigen::Vector3d(-focal_part * point_mm.x(), -focal_part * point_mm.y(), 0.0)
+          : Eigen::Vector3d(0.0, 0.0, focal_part * point_mm.z());
+  return covariance + moved_mm * moved_mm.transpose();
 }
 
 std::vector<Eigen::Vector2d> convex_polygon(const std::vector<Eigen::Vector2d>& points_mm,

@@ -32,8 +32,11 @@ struct ContactRegion {
   /// volume_mm3 and every depth there are lower bounds. kSteep applies to single pixels and is not
   /// set for a region.
   std::uint8_t limits = 0;
-  /// Covariance of position_mm, see contact_covariance_mm2(). Empty without `pressed`.
+  /// Covariance of position_mm: of contact_covariance_mm2() and lens_covariance_mm2(). Empty
+  /// without `pressed`.
   std::optional<Eigen::Matrix3d> position_covariance_mm2;
+  /// The same along the face and across it. Without the lens, whose errors move the entire finger.
+  std::optional<Eigen::Matrix2d> on_face_covariance_mm2;
   /// Principal axis on the face from the finger's length (base to tip) towards +y, in (-90, 90].
   /// Empty when the region is round, or the sd above 15 degrees.
   std::optional<double> angle_deg;
@@ -99,10 +102,18 @@ using ContactPlane = Eigen::Matrix<double, 3, 2>;
 
 /// Covariance in mm^2 of a contact's position, camera frame: the face's z errs along the line of
 /// sight, the depth along z, the contact's centre by `centre_mm2` on the face, along it and across.
-/// Excludes the uncertainty of the lens. nullopt off the face.
+/// Excludes lens_covariance_mm2(). nullopt off the face.
 [[nodiscard]] std::optional<Eigen::Matrix3d> contact_covariance_mm2(
     const FaceShape& shape, const Eigen::Vector2d& pixel, double depth_sd_mm,
     const Eigen::Matrix2d& centre_mm2);
+
+/// Covariance in mm^2 by the lens (CameraParameters::sd_px) of a point of the face at a pixel,
+/// camera frame; 0 where it is unknown. Errors of the principal point move the point across the
+/// line of sight. Those of the focal length move a finger along z, whose distance is measured by
+/// its width, and a flat face from the optical axis.
+[[nodiscard]] Eigen::Matrix3d lens_covariance_mm2(const FaceShape& shape,
+                                                  const Eigen::Vector2d& pixel,
+                                                  const Eigen::Vector3d& point_mm);
 
 /// Convex hull, corners in order, without corners within `tolerance_mm` of the line between others.
 [[nodiscard]] std::vector<Eigen::Vector2d> convex_polygon(

@@ -36,15 +36,6 @@ std::optional<ContactDeflection> deflection_of(const TipDisplacement& displaceme
   return deflection;
 }
 
-/// Covariance of a region's position on the face, along it and across it. nullopt: the region has
-/// none.
-std::optional<Eigen::Matrix2d> position_covariance_on_face_mm2(const ContactRegion& region,
-                                                               const FaceShape& shape) {
-  const auto plane = contact_plane(shape, region.position_px);
-  if (!plane || !region.position_covariance_mm2) return std::nullopt;
-  return Eigen::Matrix2d(plane->transpose() * *region.position_covariance_mm2 * *plane);
-}
-
 PositionOnFinger position_of_region(const ContactRegion& region, const FaceShape& shape,
                                     const std::optional<Eigen::Matrix2d>& covariance) {
   PositionOnFinger position;
@@ -132,7 +123,7 @@ void ContactEvidence::add_regions(const std::vector<ContactRegion>& regions, con
   is_face_pressed = *depth > 1;
   if (regions.empty()) return;
   const ContactRegion& region = regions.front();
-  const auto covariance_mm2 = position_covariance_on_face_mm2(region, shape);
+  const auto& covariance_mm2 = region.on_face_covariance_mm2;
   indentation.emplace();
   indentation->position = position_of_region(region, shape, covariance_mm2);
   if (region.normal) indentation->direction = -*region.normal;

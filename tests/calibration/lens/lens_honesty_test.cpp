@@ -47,7 +47,7 @@ double error_in_sd(const std::vector<std::pair<World, int>>& worlds) {
   for (const auto& [world, seed] : worlds) {
     const CameraParameters truth = made::board_lens();
     const LensCalibration found = calibrated_in(world, seed, truth);
-    const double error = (found.fit.lens.fx_px - truth.fx_px) / found.sd_px[0];
+    const double error = (found.fit.lens.fx_px - truth.fx_px) / found.fit.lens.sd_px[0];
     sum += error * error;
   }
   return std::sqrt(sum / static_cast<double>(worlds.size()));
@@ -94,7 +94,7 @@ TEST(LensHonesty, AStretchedBoardAndStretchedPixelsAreReported) {
   EXPECT_THAT(board.verdict.sentence.english(), HasSubstr("stretched by 3.0 %"));
   EXPECT_NE(board.verdict.grade, Grade::kGood);
   // The true lens is within the widened standard deviation.
-  EXPECT_NEAR(board.fit.lens.fx_px, made::board_lens().fx_px, 2 * board.sd_px[0]);
+  EXPECT_NEAR(board.fit.lens.fx_px, made::board_lens().fx_px, 2 * board.fit.lens.sd_px[0]);
 
   world.stretch = 0;
   CameraParameters wide = made::board_lens();
@@ -102,7 +102,7 @@ TEST(LensHonesty, AStretchedBoardAndStretchedPixelsAreReported) {
   const LensCalibration image = calibrated_in(world, 32, wide);
   EXPECT_EQ(pixel_aspect(image).cause, AspectCause::kImage) << texts(image);
   EXPECT_THAT(texts(image), HasSubstr("although the board is square"));
-  EXPECT_NEAR(image.fit.lens.fx_px, wide.fx_px, 3 * image.sd_px[0]);
+  EXPECT_NEAR(image.fit.lens.fx_px, wide.fx_px, 3 * image.fit.lens.sd_px[0]);
 
   // Straight boards do not.
   world.stretch = 0.03;
@@ -114,7 +114,7 @@ TEST(LensHonesty, AStretchedBoardAndStretchedPixelsAreReported) {
     EXPECT_THAT(straight.verdict.sentence.english(), HasSubstr("likely out of square"));
   }
   EXPECT_EQ(straight.verdict.grade, Grade::kUnfit);
-  EXPECT_NEAR(straight.fit.lens.fx_px, made::board_lens().fx_px, 3 * straight.sd_px[0]);
+  EXPECT_NEAR(straight.fit.lens.fx_px, made::board_lens().fx_px, 3 * straight.fit.lens.sd_px[0]);
 
   world = World{16, 0.1};
   const LensCalibration square = calibrated_in(world, 33, made::board_lens());
@@ -191,13 +191,13 @@ TEST(LensHonesty, HalvesOfRealViewsAgreeWithinTheEstimatedDeviation) {
     std::printf(
         "[ figures  ] %s: fx %.1f +- %.1f (covariance %.1f), halves %.1f and %.1f; fx/fy %.4f; "
         "%s\n",
-        set.folder.c_str(), lens.fx_px, all->sd_px[0], all->fit.sd(0), numbers[0].x(),
+        set.folder.c_str(), lens.fx_px, all->fit.lens.sd_px[0], all->fit.sd(0), numbers[0].x(),
         numbers[1].x(), lens.fx_px / lens.fy_px, all->verdict.sentence.english().c_str());
     // The sd of all views is half of that of a difference of halves.
-    EXPECT_LT(std::abs(numbers[0].x() - numbers[1].x()) / 2, 1.5 * all->sd_px[0]);
-    EXPECT_LT(std::abs(numbers[0].y() - numbers[1].y()) / 2, 1.5 * all->sd_px[1]);
+    EXPECT_LT(std::abs(numbers[0].x() - numbers[1].x()) / 2, 1.5 * all->fit.lens.sd_px[0]);
+    EXPECT_LT(std::abs(numbers[0].y() - numbers[1].y()) / 2, 1.5 * all->fit.lens.sd_px[1]);
     focal_px.push_back(lens.fx_px);
-    sd_px.push_back(all->sd_px[0]);
+    sd_px.push_back(all->fit.lens.sd_px[0]);
   }
   // The same camera at half the size.
   EXPECT_NEAR(focal_px[0], 2 * focal_px[1], std::hypot(sd_px[0], 2 * sd_px[1]));
@@ -222,8 +222,8 @@ TEST(LensHonesty, RealBoardsOutOfSquareAndHalvesThatDisagreeAreReported) {
   EXPECT_THAT(lifecam->verdict.sentence.english(), HasSubstr("two halves of the views give f"));
   EXPECT_THAT(lifecam->verdict.sentence.english(), HasSubstr("the board is bent"));
   // The published focal lengths lie within the estimated deviation.
-  EXPECT_NEAR(lifecam->fit.lens.fx_px, 699.38, 2 * lifecam->sd_px[0]);
-  EXPECT_NEAR(lifecam->fit.lens.fy_px, 677.72, 2 * lifecam->sd_px[1]);
+  EXPECT_NEAR(lifecam->fit.lens.fx_px, 699.38, 2 * lifecam->fit.lens.sd_px[0]);
+  EXPECT_NEAR(lifecam->fit.lens.fy_px, 677.72, 2 * lifecam->fit.lens.sd_px[1]);
 }
 
 TEST(LensVerdict, FxAndFyThatDifferAreBlamedOnWhatExplainsThem) {

@@ -38,6 +38,7 @@ TEST_F(OwnCameraFile, HowTheLensWasCalibratedStaysWithTheCamera) {
   CameraParameters camera;
   camera.width_px = 960, camera.height_px = 540;
   camera.fx_px = camera.fy_px = 523.9;
+  camera.sd_px = {0.2, 0.25, 0.1, 0.15};
   ASSERT_TRUE(save_camera(folder / "camera.yaml", camera, record));
   const auto again = load_camera(folder / "camera.yaml");
   ASSERT_TRUE(again) << again.error().sentence();

@@ -22,6 +22,7 @@ camera:
   fy: 524.5
   cx: 479.5
   cy: 269.5
+  sd_px: [0.2, 0.2, 0.15, 0.1]
   distortion: []
   orientation: none
   port: {gap_mm: 3.0, plate_mm: 2.0, plate_index: 1.52, medium_index: 1.41}

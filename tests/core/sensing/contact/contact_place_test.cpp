@@ -34,6 +34,12 @@ class PressedFinger {
         between(3, 5), length_ * between(from, to), between(-4, 4), between(0.3, 1.0),
         seed % 2 == 0 ? "kind: smooth, length_mm: 0.2" : "kind: hertz, length_mm: 0.8");
   }
+  /// A user's camera file: each number off by a drawn error of this sd, px.
+  void misjudge_lens(double focal_sd_px, double centre_sd_px) {
+    const std::vector<double> sd_px{focal_sd_px, focal_sd_px, centre_sd_px, centre_sd_px};
+    const double off_px = drawn(focal_sd_px);  // fx and fy share their errors
+    lens_off_ = Lens{off_px, drawn(centre_sd_px), drawn(centre_sd_px), sd_px};
+  }
   /// Out of the picture, on the left.
   void hide_base() { base_x_ = -34; }
   FrameResult seen() {
@@ -61,6 +67,9 @@ class PressedFinger {
  private:
   [[nodiscard]] Pipeline over(const Plan& untouched) const {
     Finger finger = untouched.finger();
+    finger.camera.fx_px += lens_off_.focal_px, finger.camera.fy_px += lens_off_.focal_px;
+    finger.camera.cx_px += lens_off_.cx_px, finger.camera.cy_px += lens_off_.cy_px;
+    finger.camera.sd_px = lens_off_.sd_px;
     // Exact for a layer without absorption.
     const double s = scatter_per_mm_ * layer_mm_;
     MappingParameters mapping;
@@ -81,6 +90,7 @@ class PressedFinger {
   double between(double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(random_);
   }
+  double drawn(double sd) { return std::normal_distribution<double>(0, sd)(random_); }
   [[nodiscard]] Plan plan(const std::string& press) const {
     const std::string text = fmt::format(
         "name: places\nwhy: to learn what a place is worth\nframes: 16\n"
@@ -104,7 +114,13 @@ class PressedFinger {
     return Plan::compile(*scene, press.empty() ? 1 : 2).value();
   }
 
+  struct Lens {
+    double focal_px = 0, cx_px = 0, cy_px = 0;
+    std::vector<double> sd_px;
+  };
+
   std::mt19937 random_;
+  Lens lens_off_;
   std::string bend_, press_;
   double focal_ = 0, width_ = 0, incline_ = 0, length_ = 0;
   double layer_mm_ = 0, scatter_per_mm_ = 0, base_x_ = 0, base_z_ = 0, light_ = 0;
@@ -210,6 +226,29 @@ TEST(ContactPlace, OfABallIsTheTruthsAtTheTip) {
   EXPECT_LT(errors.across.worst(), 0.3);
   EXPECT_NEAR(errors.along.nees(), 1.1, nees_scatter(kRuns));
   EXPECT_NEAR(errors.across.nees(), 0.95, nees_scatter(kRuns));
+}
+
+TEST(ContactPlace, InTheCameraMovesWithTheLensByWhatItSays) {
+  constexpr int kRuns = 96;
+  double squares = 0;
+  for (unsigned run = 0; run < kRuns; ++run) {
+    PressedFinger exact(5000 + run, 0.3, 0.7), misjudged(5000 + run, 0.3, 0.7);
+    misjudged.misjudge_lens(1.0, 0.5);
+    const FrameResult truth = exact.seen(), told = misjudged.seen();
+    ASSERT_FALSE(truth.regions.empty() || told.regions.empty()) << run;
+    const ContactRegion& region = told.regions.front();
+    const Eigen::Vector3d off_mm = region.position_mm - truth.regions.front().position_mm;
+    const Eigen::Matrix3d covariance_mm2 =
+        lens_covariance_mm2(*told.shape, region.position_px, region.position_mm);
+    squares += off_mm.dot(covariance_mm2.inverse() * off_mm) / 3;
+    // It is a part of the entire covariance, but not of the position on the finger.
+    const auto plane = contact_plane(*told.shape, region.position_px).value();
+    const Eigen::Matrix2d in_plane =
+        plane.transpose() * (*region.position_covariance_mm2 - covariance_mm2) * plane;
+    EXPECT_LT((in_plane - *region.on_face_covariance_mm2).norm(), 1e-9);
+  }
+  printf("[ figures  ] lens off by half a pixel: normalised error squared %.2f\n", squares / kRuns);
+  EXPECT_NEAR(squares / kRuns, 1.0, 3 * std::sqrt(2.0 / (3 * kRuns)));
 }
 
 // The deepest of noisy pixels, and what smoothing takes off a ball that is a few pixels wide.
