@@ -15681,5 +15681,13 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>the standard deviations of fx, fy, cx and cy in pixels, or none</source>
         <translation>die Standardabweichungen von fx, fy, cx und cy in Pixeln, oder nichts</translation>
     </message>
+    <message>
+        <source>the recording is not complete</source>
+        <translation>die Aufnahme ist nicht vollständig</translation>
+    </message>
+    <message>
+        <source>record again</source>
+        <translation>nochmals aufnehmen</translation>
+    </message>
 </context>
 </TS>

@@ -15610,5 +15610,13 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>the standard deviations of fx, fy, cx and cy in pixels, or none</source>
         <translation>fx、fy、cx、cy 的标准差（像素），或不写</translation>
     </message>
+    <message>
+        <source>the recording is not complete</source>
+        <translation>录像不完整</translation>
+    </message>
+    <message>
+        <source>record again</source>
+        <translation>请重新录制</translation>
+    </message>
 </context>
 </TS>

@@ -53,7 +53,7 @@ BackgroundWork::~BackgroundWork() {
 void BackgroundWork::start(Work work) {
   if (shared_) return;
   shared_ = std::make_shared<Shared>();
-  fraction_ = 0;
+  fraction_ = first_fraction_ = 0;
   what_ = {};
   since_.start();
   timer_.start(kBetweenLooks_ms);
@@ -80,13 +80,18 @@ void BackgroundWork::stop() {
 
 std::optional<double> BackgroundWork::seconds_left() const {
   constexpr double kMinFraction = 0.05;
-  if (!shared_ || fraction_ < kMinFraction) return std::nullopt;
-  return static_cast<double>(since_.elapsed()) * 1e-3 * (1 - fraction_) / fraction_;
+  const double done = fraction_ - first_fraction_;
+  if (!shared_ || done < kMinFraction) return std::nullopt;
+  return static_cast<double>(since_.elapsed()) * 1e-3 * (1 - fraction_) / done;
 }
 
 void BackgroundWork::look() {
   const auto at_end = shared_->at_end.take();
   if (auto progress = shared_->progress.take()) {
+    if (fraction_ == 0 && progress->fraction > 0) {  // before, it waited for something
+      since_.start();
+      first_fraction_ = progress->fraction;
+    }
     fraction_ = std::max(fraction_, progress->fraction);  // a bar never goes back
     what_ = std::move(progress->what);
   }

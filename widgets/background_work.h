@@ -72,7 +72,7 @@ class BackgroundWork : public QObject {
   Work waiting_;
   QTimer timer_;
   QElapsedTimer since_;
-  double fraction_ = 0;
+  double fraction_ = 0, first_fraction_ = 0;
   Message what_;
 };
 

@@ -645,12 +645,14 @@ Finger with_markers(const Finger& finger, const NumberedRecording& numbered) {
 }
 
 Status make_reference(Source& source, const Camera& camera, const Finger& finger, const Job& job,
-                      const ReferenceChoices& choices, const fs::path& folder,
+                      const ChoicesWhenRead& choices_when_read, const fs::path& folder,
                       const fs::path& video, MadeReference& made) {
   const auto pass = read_recording(source, camera, finger, Job(job, 0.0, 0.5), video);
   if (!pass) return pass.error();
+  const ReferenceChoices choices = choices_when_read();
   made.settings = pass->settings;
   ReferenceReport& report = made.report;
+  report.coverage = MotionCoverage(choices.need);
   report.frames_read = static_cast<int>(pass->frames.size());
   report.uses.assign(pass->frames.size(), FrameUse::kUnusable);
   if (pass->frames.size() < 2)

@@ -33,11 +33,10 @@ struct MadeReference {
 /// The finger as its recording describes it: files, polarity of the markers, and missing markers.
 [[nodiscard]] Finger with_markers(const Finger& finger, const NumberedRecording& numbered);
 
-/// Fills `video` with the retained frames and `made` with their data. made.report holds the
-/// required motion at the call. folder: the finger's, with its earlier reference. Errors: those of
-/// install_reference() except the folder's.
+/// Fills `video` with the retained frames and `made` with their data. folder: the finger's, with
+/// its earlier reference. Errors: those of install_reference() except the folder's.
 [[nodiscard]] Status make_reference(Source& source, const Camera& camera, const Finger& finger,
-                                    const Job& job, const ReferenceChoices& choices,
+                                    const Job& job, const ChoicesWhenRead& choices,
                                     const std::filesystem::path& folder,
                                     const std::filesystem::path& video, MadeReference& made);
 

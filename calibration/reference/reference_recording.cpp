@@ -78,7 +78,12 @@ bool is_in(const std::vector<FrameRange>& ranges, std::size_t frame) {
 }
 
 Result<ReferenceReport> install_reference(Source& source, const fs::path& folder, Finger& finger,
-                                          const Job& job, const ReferenceChoices& choices,
+                                          const Job& job, const ReferenceChoices& choices) {
+  return install_reference(source, folder, finger, job, [&] { return choices; });
+}
+
+Result<ReferenceReport> install_reference(Source& source, const fs::path& folder, Finger& finger,
+                                          const Job& job, const ChoicesWhenRead& choices,
                                           const fs::path& into) {
   if (finger.face.kind != FaceKind::kFinRay)
     return Error{en::say("this finger has no markers to record a reference with"), folder.string(),
@@ -86,7 +91,6 @@ Result<ReferenceReport> install_reference(Source& source, const fs::path& folder
   const auto camera = Camera::create(finger.camera);
   if (!camera) return camera.error();
   MadeReference made;
-  made.report.coverage = MotionCoverage(choices.need);
   const fs::path files = into.empty() ? folder : into;
   const Status written =
       write_file_atomically(files / kReferenceVideo, [&](const fs::path& temporary) -> Status {
@@ -198,17 +202,22 @@ bool has_same_reference(const Finger& a, const Finger& b) {
 Result<ReferenceReport> set_reference(const std::filesystem::path& folder,
                                       const std::vector<std::filesystem::path>& inputs,
                                       const Job& job, const ReferenceChoices& choices) {
+  auto source = open_source(inputs);
+  if (!source) return source.error();
+  return set_reference(folder, **source, job, [&] { return choices; });
+}
+
+Result<ReferenceReport> set_reference(const std::filesystem::path& folder, Source& source,
+                                      const Job& job, const ChoicesWhenRead& choices) {
   const auto store = FingerStore::of(folder);
   const auto before = store->snapshot();
   if (!before) return before.error();
   const auto lock = store->lock_for_work(kWork);
   if (!lock) return lock.error();
   Finger finger = (*before)->finger;
-  auto source = open_source(inputs);
-  if (!source) return source.error();
   auto files = FolderChange::begin(folder);
   if (!files) return files.error();
-  auto report = install_reference(**source, folder, finger, job, choices, files->staged());
+  auto report = install_reference(source, folder, finger, job, choices, files->staged());
   if (!report) return report.error();
   finger.provenance[kDate] = utc_now();
   if (const Status saved = save_reference(*store, finger, *files); !saved) return saved.error();

@@ -12,6 +12,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -94,6 +95,9 @@ struct ReferenceChoices {
   bool skin_was_changed = false;
 };
 
+/// Called once the last frame is read: of a recording that still runs, not all is chosen before.
+using ChoicesWhenRead = std::function<ReferenceChoices()>;
+
 /// Name of the image that a refused recording leaves in the finger's folder.
 inline constexpr const char* kReferenceProblem = "reference.problem.png";
 
@@ -113,8 +117,13 @@ inline constexpr const char* kReferenceProblem = "reference.problem.png";
 [[nodiscard]] Result<ReferenceReport> install_reference(Source& source,
                                                         const std::filesystem::path& folder,
                                                         Finger& finger, const Job& job,
-                                                        const ReferenceChoices& choices = {},
+                                                        const ChoicesWhenRead& choices,
                                                         const std::filesystem::path& into = {});
+/// The same with choices that are made before, in the folder itself.
+[[nodiscard]] Result<ReferenceReport> install_reference(Source& source,
+                                                        const std::filesystem::path& folder,
+                                                        Finger& finger, const Job& job,
+                                                        const ReferenceChoices& choices = {});
 
 /// Of a flat sensor.
 struct UntouchedImage {
@@ -137,6 +146,10 @@ struct UntouchedImage {
 [[nodiscard]] Result<ReferenceReport> set_reference(
     const std::filesystem::path& folder, const std::vector<std::filesystem::path>& inputs,
     const Job& job, const ReferenceChoices& choices = {});
+/// The same of a source.
+[[nodiscard]] Result<ReferenceReport> set_reference(const std::filesystem::path& folder,
+                                                    Source& source, const Job& job,
+                                                    const ChoicesWhenRead& choices);
 
 /// Copies the result of set_reference() on a copy of the finger into the finger: the same bytes,
 /// without the computation. Errors: the copy has no reference, or its files cannot be read; those

@@ -65,6 +65,7 @@ struct SourceRunner::Run {
   std::optional<RecorderSettings> requested_recording;  // to recording.file
   std::atomic<bool> is_stop_requested{false};
   std::shared_ptr<Recorder> recorder;
+  std::shared_ptr<RecordingFeed> feed;  // of the recording; null: nobody follows it
   RecordingStatus recording;
   std::optional<double> first_recorded_s;
   double period_s = 0;
@@ -79,6 +80,7 @@ struct SourceRunner::Run {
         run->fail(ran.error());
       }
       const std::lock_guard lock(run->mutex);
+      if (run->feed) std::exchange(run->feed, nullptr)->end(false);
       run->is_ended = true;
       run->ended.notify_all();
     });
@@ -164,13 +166,15 @@ struct SourceRunner::Run {
   void on_frame(FramePtr frame, bool is_live) {
     const std::int64_t now_ns = monotonic_ns();
     std::shared_ptr<Recorder> into;
+    std::shared_ptr<RecordingFeed> follower;
     {
       const std::lock_guard lock(mutex);
       count(*frame, now_ns);
       if (light) frame = (*light)(frame);
       into = recorder;
+      follower = feed;
     }
-    if (into) record(*into, frame, is_live);
+    if (into && record(*into, frame, is_live) && follower) follower->add(frame);
     const std::lock_guard lock(publish_mutex);
     if (hub != nullptr) hub->publish(std::move(frame));
   }
@@ -205,14 +209,16 @@ struct SourceRunner::Run {
     into.frames_per_s = std::min(into.frames_per_s, taken_per_s);
   }
 
-  void record(Recorder& into, const FramePtr& frame, bool is_live) {
+  /// False: the frame is lost.
+  bool record(Recorder& into, const FramePtr& frame, bool is_live) {
     const bool is_taken = is_live ? into.add(frame) : into.add_waiting(frame);
     const std::lock_guard lock(mutex);
     if (!is_taken && into.problem()) is_stop_requested = true;
-    if (!is_taken) return;
+    if (!is_taken) return false;
     const double taken_s = time_s(*frame).value_or(0.0);
     if (!first_recorded_s) first_recorded_s = taken_s;
     recording.seconds = taken_s - *first_recorded_s + period_s;
+    return true;
   }
 
   /// Images have no times: they come at a camera's rate.
@@ -243,8 +249,10 @@ struct SourceRunner::Run {
     if (!started) {
       recording.state = RecordingState::kDone;
       recording.problem = started.error();
+      if (feed) std::exchange(feed, nullptr)->end(false);
       return;
     }
+    if (feed) feed->begin(source.frames_per_s(), settings.codec);
     first_recorded_s.reset();
     recorder = std::move(*started);
   }
@@ -252,17 +260,23 @@ struct SourceRunner::Run {
   /// On another thread, because writing the queue may take a while.
   void finish_recorder(const std::shared_ptr<Run>& self, const char* why) {
     std::shared_ptr<Recorder> done;
+    std::shared_ptr<RecordingFeed> follower;
     {
       const std::lock_guard lock(mutex);
       is_stop_requested = false;
-      if (!recorder) return;
+      follower = std::exchange(feed, nullptr);
+      if (!recorder) {
+        if (follower) follower->end(false);
+        return;
+      }
       done = std::exchange(recorder, nullptr);
       recording.state = RecordingState::kFinishing;
       ++finishers;
     }
-    Worker([self, done, why] {
+    Worker([self, done, follower, why] {
       const Status finished = guarded([&] { return done->finish(why); });
       const RecorderCounts counts = done->counts();
+      if (follower) follower->end(finished && counts.recorded == follower->extent().frames);
       const std::lock_guard lock(self->mutex);
       self->recording.state = RecordingState::kDone;
       self->recording.counts = counts;
@@ -333,13 +347,18 @@ void SourceRunner::set_light(const std::optional<DimmerSetting>& light) {
 }
 
 void SourceRunner::start_recording(const std::filesystem::path& file,
-                                   const RecorderSettings& settings) {
+                                   const RecorderSettings& settings,
+                                   std::shared_ptr<RecordingFeed> feed) {
   const std::lock_guard lock(mutex_);
-  if (!run_) return;
+  const auto refuse = [&] {
+    if (feed) feed->end(false);
+  };
+  if (!run_) return refuse();
   const std::lock_guard run_lock(run_->mutex);
   const RecordingState state = run_->recording.state;
-  if (state == RecordingState::kRunning || state == RecordingState::kFinishing) return;
+  if (state == RecordingState::kRunning || state == RecordingState::kFinishing) return refuse();
   run_->recording = {};
+  run_->feed = std::move(feed);
   run_->recording.state = RecordingState::kRunning;
   run_->recording.file = file;
   run_->requested_recording = settings;

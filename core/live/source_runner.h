@@ -4,6 +4,7 @@
 #include "core/base/worker.h"
 #include "core/devices/led_dimmer.h"
 #include "core/devices/v4l2_camera.h"
+#include "core/live/recording_feed.h"
 #include "core/open/open_source.h"
 #include "core/recording/recorder.h"
 #include "core/sources/source.h"
@@ -75,8 +76,10 @@ class SourceRunner {
   /// Stops the current source and opens this one, at the recorded pace. Returns at once.
   void open(std::vector<std::filesystem::path> inputs, std::uint64_t seed = 1);
   void close();
-  /// Does nothing while a recording runs. Returns at once; recording() shows the result.
-  void start_recording(const std::filesystem::path& file, const RecorderSettings& settings);
+  /// Does nothing while a recording runs. Returns at once; recording() shows the result. `feed`:
+  /// gets every frame of the file, and its end in each case; may be null.
+  void start_recording(const std::filesystem::path& file, const RecorderSettings& settings,
+                       std::shared_ptr<RecordingFeed> feed = nullptr);
   void stop_recording();
 
   /// Sets the finger's light, which every frame records from now on. nullopt: unknown.

@@ -20,7 +20,7 @@ constexpr int kMostActions = 9;
 /// Knows the window only: it is handed no place, no page and no widget by name.
 class Newcomer {
  public:
-  explicit Newcomer(QWidget& window) : window_(window) {}
+  explicit Newcomer(QWidget& window) : window_(window) { since_.start(); }
 
   [[nodiscard]] const QStringList& actions() const { return actions_; }
 
@@ -58,7 +58,7 @@ class Newcomer {
     return best;
   }
   void click(QPushButton& button) {
-    actions_ << button.text().remove(QLatin1Char('&'));
+    note(button.text().remove(QLatin1Char('&')));
     QTest::mouseClick(&button, Qt::LeftButton);
   }
   /// A number that the guide tells for a quantity, into the field of that name.
@@ -71,7 +71,7 @@ class Newcomer {
       const bool is_it = field->isVisible() && field->isEnabled() &&
                          field->accessibleName().compare(quantity, Qt::CaseInsensitive) == 0;
       if (!is_it || field->value() > 0) continue;
-      actions_ << quantity + QLatin1Char(' ') + number.captured(1);
+      note(quantity + QLatin1Char(' ') + number.captured(1));
       QTest::mouseClick(field, Qt::LeftButton);
       field->selectAll();
       QTest::keyClicks(field, number.captured(1));
@@ -82,8 +82,13 @@ class Newcomer {
   }
 
  private:
+  void note(const QString& action) {
+    actions_ << QStringLiteral("%1 s %2").arg(1e-3 * since_.elapsed(), 0, 'f', 0).arg(action);
+  }
+
   QWidget& window_;
   QStringList actions_;
+  QElapsedTimer since_;
 };
 
 /// As wait_until, as often as somebody looks: reading all of a window takes its time.

@@ -1,6 +1,11 @@
 // What the place Record offers once a recording is there.
+#include "core/base/atomic_file.h"
+#include "core/live/recording_feed.h"
+#include "core/open/open_source.h"
+#include "core/recording/video_file.h"
 #include "tests/studio/studio_rig.h"
 #include "widgets/panels/frame_strip.h"
+#include "widgets/panels/recording_checks.h"
 
 #include <QCheckBox>
 #include <QFileDialog>
@@ -131,6 +136,72 @@ TEST_F(RecordOffer, TheListBeforeTheFirstRecordingStandsThere) {
   EXPECT_TRUE(wait_for_words("Focus at the base: edges at the base are "));
   EXPECT_TRUE(wait_for_words("Dots: 12 of 12 dots are found."));
   EXPECT_TRUE(wait_for_words("Brightness: the face has brightness "));
+}
+
+TEST_F(RecordOffer, StoppingTheInstallationLeavesTheFingerAsItWas) {
+  open();
+  const std::string before = read_file(folder_ / "finger/finger.yaml").value();
+  choose(MadeFingers::get().bending());
+  auto* install = studio_->find<QPushButton>("Install as this finger's reference");
+  ASSERT_TRUE(wait_until([&] { return install->isVisible() && install->isEnabled(); }));
+  studio_->click("Install as this finger's reference");
+  studio_->click("Stop");
+  // Who stopped it is told nothing but that it can be installed again.
+  ASSERT_TRUE(wait_until([&] { return install->isVisible() && install->isEnabled(); }))
+      << studio_->problems();
+  EXPECT_EQ(studio_->problems().find("stopped"), std::string::npos) << studio_->problems();
+  EXPECT_EQ(read_file(folder_ / "finger/finger.yaml").value(), before);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "finger/reference.mkv"));
+}
+
+/// Fed while it is written, with the frames of the bending finger.
+std::shared_ptr<RecordingFeed> written(const std::filesystem::path& video, bool is_complete) {
+  auto feed = std::make_shared<RecordingFeed>(video);
+  const auto source = open_source({MadeFingers::get().bending()}).value();
+  std::optional<VideoWriter> writer;
+  for (auto frame = source->next(); frame && *frame; frame = source->next()) {
+    if (!writer) {
+      writer = VideoWriter::create(video, **frame, VideoCodec::kMagicYuv, 30).value();
+      feed->begin(30, VideoCodec::kMagicYuv);
+    }
+    EXPECT_TRUE(writer->add(**frame));
+    feed->add(*frame);
+  }
+  EXPECT_TRUE(writer && writer->finish());
+  feed->end(is_complete);
+  return feed;
+}
+
+TEST(FollowedTake, IsJudgedAsItsFileWouldBe) {
+  const TemporaryFolder folder;
+  const std::filesystem::path finger = MadeFingers::get().described(), video = folder / "bend.mkv";
+  TakeJudge following, reading;
+  ReferenceChoices choices;
+  choices.leave_out = {{3, 8}};
+  following.follow(finger, written(video, true));
+  EXPECT_TRUE(following.is_working());
+  EXPECT_EQ(following.judged(), nullptr) << "the choices are not yet made";
+  ASSERT_TRUE(following.conclude(finger, video, choices));
+  EXPECT_FALSE(following.conclude(finger, video, choices)) << "once";
+  reading.judge(finger, video, choices);
+  ASSERT_TRUE(wait_until([&] { return following.judged() && reading.judged(); }, 60000));
+  ASSERT_TRUE(following.judged()->report.ok());
+  EXPECT_EQ(following.judged()->report->uses, reading.judged()->report->uses);
+  EXPECT_EQ(following.judged()->report->error_p95, reading.judged()->report->error_p95);
+}
+
+TEST(FollowedTake, IsNotWhatWasRecordedWhereItIsIncompleteOrOfAnotherFinger) {
+  const TemporaryFolder folder;
+  const std::filesystem::path finger = MadeFingers::get().described(), video = folder / "bend.mkv";
+  TakeJudge judge;
+  judge.follow(finger, written(video, false));
+  EXPECT_FALSE(judge.conclude(finger, video, {}));
+  const auto complete = written(video, true);
+  judge.follow(finger, complete);
+  EXPECT_FALSE(judge.conclude(finger / "other", video, {}));
+  judge.follow(finger, complete);
+  judge.forget();
+  EXPECT_FALSE(judge.conclude(finger, video, {}));
 }
 
 }  // namespace

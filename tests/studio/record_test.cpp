@@ -207,27 +207,5 @@ TEST_F(RecordTest, InstallsTheSameBytesAsTheCommandLine) {
   EXPECT_EQ(by_window.to_yaml().value(), by_command.to_yaml().value());
 }
 
-TEST_F(RecordTest, StoppingTheInstallationLeavesTheFingerAsItWas) {
-  std::filesystem::copy(MadeFingers::get().described(), folder_ / "finger");
-  const std::string before = bytes_of(folder_ / "finger/finger.yaml");
-  open(MadeFingers::get().bending(), folder_ / "finger");
-  type_file(folder_ / "bend.mkv");
-  studio_->click("Start recording");
-  record(60);
-  studio_->click("Stop recording");
-  ASSERT_TRUE(wait_for(RecordingState::kDone));
-  QTest::qWait(300);
-  auto* install = studio_->find<QPushButton>("Install as this finger's reference");
-  ASSERT_NE(install, nullptr);
-  studio_->click("Install as this finger's reference");
-  studio_->click("Stop");
-  // Who stopped it is told nothing but that it can be installed again.
-  ASSERT_TRUE(wait_until([&] { return install->isVisible() && install->isEnabled(); }))
-      << studio_->problems();
-  EXPECT_EQ(studio_->problems().find("stopped"), std::string::npos) << studio_->problems();
-  EXPECT_EQ(bytes_of(folder_ / "finger/finger.yaml"), before);
-  EXPECT_FALSE(std::filesystem::exists(folder_ / "finger/reference.mkv"));
-}
-
 }  // namespace
 }  // namespace alltact::test

@@ -87,8 +87,9 @@ void LiveSession::follow_scene() {
 }
 
 void LiveSession::start_recording(const std::filesystem::path& file,
-                                  const RecorderSettings& settings) {
-  runner_->start_recording(file, settings);
+                                  const RecorderSettings& settings,
+                                  std::shared_ptr<RecordingFeed> feed) {
+  runner_->start_recording(file, settings, std::move(feed));
   refresh();
 }
 

@@ -37,7 +37,9 @@ class LiveSession : public QObject {
   void close_source();
   /// An empty folder closes the finger; a simulated source then shows the finger of its scene.
   void open_finger(const std::filesystem::path& folder);
-  void start_recording(const std::filesystem::path& file, const RecorderSettings& settings = {});
+  /// `feed`: see SourceRunner.
+  void start_recording(const std::filesystem::path& file, const RecorderSettings& settings = {},
+                       std::shared_ptr<RecordingFeed> feed = nullptr);
   void stop_recording() { runner_->stop_recording(); }
   void set_layers(RequestedLayers layers) { live_finger_->set_layers(layers); }
   void set_depth_top_mm(double top_mm) { live_finger_->set_depth_top_mm(top_mm); }

@@ -293,7 +293,13 @@ void RecordPage::begin_recording() {
   judge_.forget();
   coverage_.begin();
   contact_frames_ = 0;
-  session_.start_recording(path_of(file_->text()));
+  const LiveStatus& status = session_.status();
+  std::shared_ptr<RecordingFeed> feed;
+  if (install_obstacle(status).isEmpty()) {
+    feed = std::make_shared<RecordingFeed>(path_of(file_->text()));
+    judge_.follow(status.finger.folder, feed);
+  }
+  session_.start_recording(path_of(file_->text()), {}, std::move(feed));
 }
 
 void RecordPage::choose_file() {
@@ -350,6 +356,8 @@ void RecordPage::show_status() {
     if (status.recording.counts.recorded > 0) {
       offer(status.recording.file, coverage_.set_rest_pose());
       propose_file();
+    } else {
+      judge_.forget();
     }
   }
   was_recording_ = was_recording_ || is_recording;
@@ -571,10 +579,15 @@ void RecordPage::offer(const std::filesystem::path& video, std::optional<RestPos
   stretches_.clear();
   is_choice_made_ = false;
   deferred_.clear();
-  judge_.forget();
+  {
+    const QSignalBlocker no_judging(skin_changed_);
+    skin_changed_->setChecked(false);
+  }
+  if (!judge_.conclude(session_.status().finger.folder, video, choices())) {
+    judge_.forget();
+    judge_take();
+  }
   list_rejected();
-  skin_changed_->setChecked(false);
-  judge_take();
 }
 
 void RecordPage::judge_take() {

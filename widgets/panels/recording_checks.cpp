@@ -359,8 +359,10 @@ namespace fs = std::filesystem;
 
 fs::path path_of(const QTemporaryDir& folder) { return folder.path().toStdString(); }
 
-JudgedTake judge_take(const fs::path& finger, const fs::path& video,
-                      const ReferenceChoices& choices, const Job& job) {
+JudgedTake judge_take(
+    const fs::path& finger, const fs::path& video,
+    const std::function<Result<ReferenceReport>(const fs::path& copy, const Job& job)>& judging,
+    const Job& job) {
   const auto copy = std::make_shared<const QTemporaryDir>();
   const auto judged = [&](Result<ReferenceReport> report, std::string finger_yaml = {}) {
     return JudgedTake{std::move(report), copy, std::move(finger_yaml), finger, video};
@@ -377,7 +379,7 @@ JudgedTake judge_take(const fs::path& finger, const fs::path& video,
   // The earlier reference helps to judge the recording; without it the recording is judged alone.
   for (const char* name : {kReferenceVideo, kReferenceTable})
     fs::create_symlink(finger / name, path_of(*copy) / name, failed);
-  return judged(set_reference(path_of(*copy), {video}, job, choices), std::move(*finger_yaml));
+  return judged(judging(path_of(*copy), job), std::move(*finger_yaml));
 }
 
 }  // namespace
@@ -398,11 +400,51 @@ TakeJudge::TakeJudge(QObject* parent) : QObject(parent) {
   connect(&work_, &BackgroundWork::finished, this, &TakeJudge::changed);
 }
 
+void PendingChoices::put(ReferenceChoices choices) {
+  const std::lock_guard lock(mutex_);
+  choices_ = std::move(choices);
+  is_put_.notify_all();
+}
+
+ReferenceChoices PendingChoices::wait(const Job& job) const {
+  constexpr std::chrono::milliseconds kBetweenLooks{50};  // at the job, which wakes nobody
+  std::unique_lock lock(mutex_);
+  while (!choices_ && !job.stop_requested()) is_put_.wait_for(lock, kBetweenLooks);
+  return choices_.value_or(ReferenceChoices{});
+}
+
 void TakeJudge::judge(const fs::path& finger, const fs::path& video,
                       const ReferenceChoices& choices) {
+  run(finger, video, [video, choices](const fs::path& copy, const Job& job) {
+    return set_reference(copy, {video}, job, choices);
+  });
+}
+
+void TakeJudge::follow(const fs::path& finger, std::shared_ptr<RecordingFeed> feed) {
+  const auto pending = std::make_shared<PendingChoices>();
+  run(finger, feed->file(), [feed, pending](const fs::path& copy, const Job& job) {
+    FollowedRecording recording(feed, job);
+    return set_reference(copy, recording, job, [&] { return pending->wait(job); });
+  });
+  followed_finger_ = finger;
+  feed_ = std::move(feed);
+  pending_ = pending;
+}
+
+bool TakeJudge::conclude(const fs::path& finger, const fs::path& video, ReferenceChoices choices) {
+  const auto feed = std::exchange(feed_, nullptr);
+  const auto pending = std::exchange(pending_, nullptr);
+  if (!feed || feed->file() != video || followed_finger_ != finger || !feed->extent().is_complete)
+    return false;
+  pending->put(std::move(choices));
+  return true;
+}
+
+void TakeJudge::run(const fs::path& finger, const fs::path& video, Judging judging) {
   forget();
-  work_.restart([this, finger, video, choices, number = number_](const Job& job) {
-    const auto judged = std::make_shared<const JudgedTake>(judge_take(finger, video, choices, job));
+  work_.restart([this, finger, video, judging = std::move(judging),
+                 number = number_](const Job& job) {
+    const auto judged = std::make_shared<const JudgedTake>(judge_take(finger, video, judging, job));
     return std::function<void()>([this, judged, number, is_stopped = job.stop_requested()] {
       if (number == number_ && !is_stopped) judged_ = judged;
     });
@@ -415,6 +457,8 @@ void TakeJudge::stop() { work_.stop(); }
 void TakeJudge::forget() {
   stop();
   ++number_;
+  feed_.reset();
+  pending_.reset();
   if (!judged_) return;
   // The copy may be large, so it is removed on a background thread.
   clearing_.start([judged = std::exchange(judged_, nullptr)](const Job&) mutable {

@@ -6,6 +6,7 @@
 #include "calibration/reference/motion_coverage.h"
 #include "calibration/reference/reference_recording.h"
 #include "core/devices/camera_controls.h"
+#include "core/live/recording_feed.h"
 #include "core/sensing/frame_result.h"
 #include "widgets/background_work.h"
 #include "widgets/theme.h"
@@ -16,9 +17,12 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <QWidget>
+#include <condition_variable>
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -128,6 +132,19 @@ struct JudgedTake {
   [[nodiscard]] Result<bool> install() const;
 };
 
+/// The choices of a recording that is still judged, from the window to the judging thread.
+class PendingChoices {
+ public:
+  void put(ReferenceChoices choices);
+  /// Waits for them; those of no choice once the job is stopped.
+  [[nodiscard]] ReferenceChoices wait(const Job& job) const;
+
+ private:
+  mutable std::mutex mutex_;
+  mutable std::condition_variable is_put_;
+  std::optional<ReferenceChoices> choices_;
+};
+
 /// Installs the recording in a copy of the finger, so that the report equals that of the
 /// installation.
 class TakeJudge : public QObject {
@@ -138,6 +155,13 @@ class TakeJudge : public QObject {
   /// finger: its folder, which stays unchanged.
   void judge(const std::filesystem::path& finger, const std::filesystem::path& video,
              const ReferenceChoices& choices);
+  /// The same of a recording from its first frame on, so that little is left to do at its end.
+  /// conclude() must follow it.
+  void follow(const std::filesystem::path& finger, std::shared_ptr<RecordingFeed> feed);
+  /// The recording is over. False: it is not followed, or did not become complete, so that it must
+  /// be judged.
+  [[nodiscard]] bool conclude(const std::filesystem::path& finger,
+                              const std::filesystem::path& video, ReferenceChoices choices);
   /// Stops the run; a finished report is retained.
   void stop();
   void forget();
@@ -150,8 +174,17 @@ class TakeJudge : public QObject {
   void changed();
 
  private:
+  using Judging =
+      std::function<Result<ReferenceReport>(const std::filesystem::path& copy, const Job& job)>;
+  void run(const std::filesystem::path& finger, const std::filesystem::path& video,
+           Judging judging);
+
   int number_ = 0;  // of the last request
   std::shared_ptr<const JudgedTake> judged_;
+  // Of a recording that is followed and not yet concluded.
+  std::filesystem::path followed_finger_;
+  std::shared_ptr<RecordingFeed> feed_;
+  std::shared_ptr<PendingChoices> pending_;
   BackgroundWork work_, clearing_;
 };
 

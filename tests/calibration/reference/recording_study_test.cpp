@@ -2,6 +2,7 @@
 #include "calibration/reference/make_reference.h"
 #include "calibration/reference/reference_recording.h"
 #include "core/base/atomic_file.h"
+#include "core/live/recording_feed.h"
 #include "core/recording/video_file.h"
 #include "core/sources/file_source.h"
 #include "tests/support/marked_recording.h"
@@ -9,6 +10,8 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <future>
 #include <optional>
 #include <random>
 #include <set>
@@ -147,6 +150,58 @@ TEST(RecordingStudy, ALosslessRecordingIsCopied) {
   }
   EXPECT_EQ(videos[0].size(), videos[1].size());
   EXPECT_TRUE(videos[0] == videos[1]);
+}
+
+// Followed from its first frame on, with choices that are made at its end.
+TEST(RecordingStudy, ARecordingThatIsFollowedGivesTheSameReference) {
+  const MarkedFinger f = small_finger();
+  std::mt19937 random(25);
+  const std::filesystem::path folder = scratch_folder("followed"), take = folder / "take.mkv";
+  const auto feed = std::make_shared<RecordingFeed>(take);
+  ReferenceChoices choices;
+  choices.rest_frame = 7;
+  choices.leave_out = {{20, 24}};
+  const auto made_in = [&](Source& source, const char* name, const ChoicesWhenRead& when_read) {
+    Finger finger = described(f);
+    const auto into = scratch_folder(name);
+    const auto report = install_reference(source, into, finger, Job{}, when_read);
+    EXPECT_TRUE(report.ok()) << (report ? "" : report.error().sentence());
+    return std::tuple(into, report.value(), finger.to_yaml().value());
+  };
+  const Job job;
+  std::atomic<bool> is_over{false};
+  auto following = std::async(std::launch::async, [&] {
+    FollowedRecording followed(feed, job);
+    return made_in(followed, "while", [&] {
+      EXPECT_TRUE(is_over) << "choices are made at the end";
+      return choices;
+    });
+  });
+  std::optional<VideoWriter> writer;
+  for (int i = 0; i < 130; ++i) {
+    auto frame = std::make_shared<Frame>();
+    frame->grey = f.with_noise(f.clean(loop(i, 120)), random);
+    frame->time_ns = 1'000'000'000 + 33'400'000LL * i;
+    if (!writer) {
+      writer = VideoWriter::create(take, *frame, VideoCodec::kMagicYuv, 30).value();
+      feed->begin(30, VideoCodec::kMagicYuv);
+    }
+    ASSERT_TRUE(writer->add(*frame).ok());
+    feed->add(frame);
+  }
+  ASSERT_TRUE(writer->finish().ok());
+  is_over = true;
+  feed->end(true);
+  const auto [while_in, while_report, while_yaml] = following.get();
+  VideoSource video(VideoFile::open(take).value(), {});
+  const auto [after_in, after_report, after_yaml] =
+      made_in(video, "after", [&] { return choices; });
+  EXPECT_EQ(while_yaml, after_yaml);
+  EXPECT_EQ(while_report.uses, after_report.uses);
+  EXPECT_EQ(while_report.error_p95, after_report.error_p95);
+  EXPECT_EQ(while_report.rest_frame, 7);
+  for (const char* name : {kReferenceVideo, kReferenceTable})
+    EXPECT_TRUE(read_file(while_in / name).value() == read_file(after_in / name).value()) << name;
 }
 
 TEST(RecordingStudy, BendingIsMeasuredInMillimetres) {
