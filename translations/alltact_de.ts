@@ -5364,6 +5364,10 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>Cross-section, CSV</source>
         <translation>Querschnitt, CSV</translation>
     </message>
+    <message>
+        <source>Depth map in mm, TIFF</source>
+        <translation>Tiefenkarte in mm, TIFF</translation>
+    </message>
 </context>
 <context>
     <name>alltact::SecondCameraDialog</name>

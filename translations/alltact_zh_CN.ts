@@ -5320,6 +5320,10 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>Cross-section, CSV</source>
         <translation>剖面，CSV</translation>
     </message>
+    <message>
+        <source>Depth map in mm, TIFF</source>
+        <translation>毫米深度图，TIFF</translation>
+    </message>
 </context>
 <context>
     <name>alltact::SecondCameraDialog</name>

@@ -83,7 +83,7 @@ struct ReconstructOptions {
   Path folder;
   bool depth = true, depth16 = false, depth_video = false, depth_sd = false, sd_causes = false,
        flags = true, limits = false;
-  bool points = false;
+  bool points = false, rectified = false;
   std::vector<std::string> surfaces;  ///< endings of write_surface, without the dot
   bool image = false;                 ///< of the face in 3D
   Viewpoint viewpoint = Viewpoint::kTilted;

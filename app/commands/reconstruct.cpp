@@ -13,6 +13,7 @@
 #include "core/open/open_source.h"
 #include "core/recording/depth_video.h"
 #include "core/sensing/depth/depth_sd.h"
+#include "core/sensing/face/rectified_map.h"
 #include "core/sensing/pipeline.h"
 #include "core/sensing/result_json.h"
 #include "core/sources/source.h"
@@ -126,6 +127,13 @@ Status ResultFiles::write_maps(const FrameResult& result, const Pipeline& pipeli
     if (Status status = write_file_unsynced(file(result, ".depth16.png"), depth_png(depth));
         !status)
       return status;
+  if (options_->rectified) {
+    const RectifiedMap map = rectified_map(depth, *result.shape);
+    if (Status status =
+            write_file_unsynced(file(result, ".rectified.tiff"), depth_tiff(map.values, map.plane));
+        !status)
+      return status;
+  }
   if (options_->flags)
     if (Status status =
             write_file_unsynced(file(result, ".flags.png"), grey_png(result.depth->flags));
@@ -240,7 +248,7 @@ std::string name_of_run(const ReconstructOptions& options, std::size_t frame_cou
   for (const Path& input : options.inputs) all += " " + input.filename().string();
   for (const bool is_requested :
        {options.depth, options.depth16, options.depth_video, options.depth_sd, options.sd_causes,
-        options.flags, options.limits, options.points, options.image})
+        options.flags, options.limits, options.points, options.image, options.rectified})
     all += is_requested ? '1' : '0';
   for (const std::string& kind : options.surfaces) all += " " + kind;
   for (const auto& setting : pipeline_settings())
@@ -483,14 +491,16 @@ void add_reconstruct(CLI::App& program, Chosen& chosen) {
           "not in the recording, 7 end of the face hidden, 8 bulging by the layer's thickness or "
           "more), limits (8-bit PNG, bits: 1 at the layer's thickness, 2 bulging by that, 4 darker "
           "than calibrated, 8 steep: a shift of one pixel changes the depth by more than its "
-          "standard deviation, 16 doubtful light), points (float TIFF, x y z in mm), and meshes of "
-          "the face for other programs: ply, vtp, stl, glb (default depth,flags)")
+          "standard deviation, 16 doubtful light), points (float TIFF, x y z in mm), rectified "
+          "(float TIFF, depth in mm over the face: columns along it and rows across, 0.1 mm "
+          "apart), and meshes of the face for other programs: ply, vtp, stl, glb (default "
+          "depth,flags)")
       ->type_name("LIST")
       ->delimiter(',')
       ->take_all()
       ->expected(1)
       ->check(CLI::IsMember({"depth", "depth16", "depth-video", "depth_sd", "sd_causes", "flags",
-                             "limits", "points", "ply", "vtp", "stl", "glb"}))
+                             "limits", "points", "rectified", "ply", "vtp", "stl", "glb"}))
       ->excludes(live);
   command
       ->add_flag("--picture", options->image,
@@ -554,6 +564,7 @@ void add_reconstruct(CLI::App& program, Chosen& chosen) {
     options->flags = wants("flags");
     options->limits = wants("limits");
     options->points = wants("points");
+    options->rectified = wants("rectified");
     for (const char* kind : {"ply", "vtp", "stl", "glb"})
       if (wants(kind)) options->surfaces.emplace_back(kind);
     const bool is_paper = *method == "paper";

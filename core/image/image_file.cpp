@@ -12,6 +12,7 @@
 #include <cstring>
 #include <limits>
 
+#include <fmt/format.h>
 #include <libdeflate.h>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
@@ -642,11 +643,21 @@ std::vector<std::uint8_t> tiff_rows(const cv::Mat& depth_mm) {
   return rows;
 }
 
-void put_entry(std::string& out, std::uint16_t tag, std::uint16_t type, std::uint32_t value) {
-  const auto put = [&](std::uint32_t number, int bytes) {
-    for (int i = 0; i < bytes; ++i) out.push_back(static_cast<char>(number >> (8 * i) & 0xFFU));
-  };
-  put(tag, 2), put(type, 2), put(1, 4), put(value, 4);
+void put_number(std::string& out, std::uint32_t number, int bytes) {
+  for (int i = 0; i < bytes; ++i) out.push_back(static_cast<char>(number >> (8 * i) & 0xFFU));
+}
+
+/// `value`: the number, or where `count` of them are.
+void put_entry(std::string& out, std::uint16_t tag, std::uint16_t type, std::uint32_t value,
+               std::uint32_t count = 1) {
+  put_number(out, tag, 2), put_number(out, type, 2);
+  put_number(out, count, 4), put_number(out, value, 4);
+}
+
+/// The description by which ImageJ knows the axes.
+std::string axes_of(const PixelsOnPlane& plane) {
+  return fmt::format("ImageJ=1.53t\nunit=mm\nxorigin={:.6f}\nyorigin={:.6f}\n",
+                     -plane.first_column_mm / plane.step_mm, -plane.first_row_mm / plane.step_mm);
 }
 
 /// The content of the tEXt chunk with this keyword; empty where there is none.
@@ -719,29 +730,43 @@ std::string depth_png(const cv::Mat& depth_mm) {
   return grey_png(depth_steps(depth_mm), kDepthKeyword, kDepthSentence);
 }
 
-std::string depth_tiff(const cv::Mat& depth_mm) {
+std::string depth_tiff(const cv::Mat& depth_mm, const std::optional<PixelsOnPlane>& plane) {
   assert(!depth_mm.empty() && depth_mm.type() == CV_32FC1);
-  constexpr std::uint16_t kShort = 3, kLong = 4;
+  constexpr std::uint16_t kText = 2, kShort = 3, kLong = 4, kRational = 5;
   std::string tiff("II*\0\0\0\0\0"sv);
   const std::string data = deflated(tiff_rows(depth_mm));
   tiff += data;
   if (tiff.size() % 2 != 0) tiff.push_back('\0');
+  const std::string axes = plane ? axes_of(*plane) : std::string();
+  const auto axes_at = static_cast<std::uint32_t>(tiff.size());
+  tiff.append(axes).append(1 + (axes.size() + 1) % 2, '\0');
+  const auto resolution_at = static_cast<std::uint32_t>(tiff.size());
+  constexpr std::uint32_t kPerMillion = 1'000'000;
+  if (plane) {
+    put_number(tiff, static_cast<std::uint32_t>(std::lround(kPerMillion / plane->step_mm)), 4);
+    put_number(tiff, kPerMillion, 4);
+  }
   for (std::size_t i = 0; i < 4; ++i)  // offset of the directory, which follows the data
     tiff[4 + i] = static_cast<char>(tiff.size() >> (8 * i) & 0xFFU);
-  tiff.append("\x0C\0"sv);
+  put_number(tiff, plane ? 16 : 12, 2);
   const auto height = static_cast<std::uint32_t>(depth_mm.rows);
   put_entry(tiff, 256, kLong, static_cast<std::uint32_t>(depth_mm.cols));
   put_entry(tiff, 257, kLong, height);
   put_entry(tiff, 258, kShort, 32);  // bits per sample
   put_entry(tiff, 259, kShort, 8);   // deflate
   put_entry(tiff, 262, kShort, 1);   // black is zero
-  put_entry(tiff, 273, kLong, 8);    // offset of the one strip
-  put_entry(tiff, 277, kShort, 1);   // samples per pixel
+  if (plane) put_entry(tiff, 270, kText, axes_at, static_cast<std::uint32_t>(axes.size()) + 1);
+  put_entry(tiff, 273, kLong, 8);   // offset of the one strip
+  put_entry(tiff, 277, kShort, 1);  // samples per pixel
   put_entry(tiff, 278, kLong, height);
   put_entry(tiff, 279, kLong, static_cast<std::uint32_t>(data.size()));
-  put_entry(tiff, 284, kShort, 1);  // planes together
-  put_entry(tiff, 317, kShort, 3);  // floating-point predictor
-  put_entry(tiff, 339, kShort, 3);  // floating point
+  if (plane)
+    for (const auto side : {std::uint16_t{282}, std::uint16_t{283}})
+      put_entry(tiff, side, kRational, resolution_at);
+  put_entry(tiff, 284, kShort, 1);             // planes together
+  if (plane) put_entry(tiff, 296, kShort, 1);  // the unit is that of the description
+  put_entry(tiff, 317, kShort, 3);             // floating-point predictor
+  put_entry(tiff, 339, kShort, 3);             // floating point
   return tiff.append("\0\0\0\0"sv);
 }
 

@@ -5,6 +5,7 @@
 #include "core/base/result.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -72,9 +73,16 @@ inline constexpr std::string_view kDepthSentence = "depth_mm = 0.001 * (value - 
                                    std::string_view text = {});
 /// The PNG of depth_steps(), with kDepthSentence as text.
 [[nodiscard]] std::string depth_png(const cv::Mat& depth_mm);
+/// Where the pixels of an image lie on a plane with axes in mm.
+struct PixelsOnPlane {
+  double step_mm = 1;                            ///< from pixel to pixel
+  double first_column_mm = 0, first_row_mm = 0;  ///< of the middles of the first ones
+};
 /// A float TIFF of CV_32FC1, exact: deflate behind the floating-point predictor (Adobe Photoshop
-/// TIFF Technical Note 3), which libtiff, OpenCV, MATLAB and ImageJ read.
-[[nodiscard]] std::string depth_tiff(const cv::Mat& depth_mm);
+/// TIFF Technical Note 3), which libtiff, OpenCV, MATLAB and ImageJ read. `plane`: the axes as
+/// ImageJ stores them (pixels per mm, and the pixel of the origin in the description).
+[[nodiscard]] std::string depth_tiff(const cv::Mat& depth_mm,
+                                     const std::optional<PixelsOnPlane>& plane = {});
 
 /// Reads a file of depth_png(), CV_32FC1 in mm. Errors: missing, damaged, no 16-bit grey PNG, or
 /// one without the text for depth.

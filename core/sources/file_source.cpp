@@ -14,8 +14,8 @@ namespace fs = std::filesystem;
 /// Results that lie next to images: NAME.depth.tiff, NAME.3d.png and the like.
 bool is_measurement(const fs::path& file) {
   static constexpr std::array kExtensions{
-      ".depth", ".depth16",  ".depth_sd",   ".flags",        ".points",   ".z",
-      ".3d",    ".sd_noise", ".sd_mapping", ".sd_reference", ".sd_light", ".sd_lateral"};
+      ".depth",    ".depth16",    ".depth_sd",     ".flags",    ".points",     ".z",        ".3d",
+      ".sd_noise", ".sd_mapping", ".sd_reference", ".sd_light", ".sd_lateral", ".rectified"};
   return is_one_of(lowered_extension(file.stem()), kExtensions);
 }
 

@@ -273,19 +273,21 @@ TEST_F(Inspect, GivesTheSameNumbersWhicheverWayOneComes) {
 TEST_F(Inspect, SavesTheBytesThatTheCommandLineWrites) {
   ASSERT_TRUE(open_pictures());
   const TemporaryFolder out;
-  for (const char* ending : {"ply", "vtp", "stl", "glb"}) {
+  for (const char* ending : {"ply", "vtp", "stl", "glb", "tiff"}) {
     place().save(out / (std::string("a.") + ending));
     ASSERT_TRUE(wait_until([&] { return !place().is_saving(); }));
   }
-  const ProgramRun run =
-      run_alltact({"reconstruct", MadeFingers::get().calibrated().string(),
-                   (MadeFingers::get().touched_pictures() / "frame_00000.png").string(), "-o",
-                   (out / "cli").string(), "--format", "depth,ply,vtp,stl,glb", "--picture"});
+  const ProgramRun run = run_alltact(
+      {"reconstruct", MadeFingers::get().calibrated().string(),
+       (MadeFingers::get().touched_pictures() / "frame_00000.png").string(), "-o",
+       (out / "cli").string(), "--format", "depth,rectified,ply,vtp,stl,glb", "--picture"});
   ASSERT_EQ(run.status, 0) << run.errors;
-  for (const char* ending : {"ply", "vtp", "stl", "glb"}) {
+  for (const char* ending : {"ply", "vtp", "stl", "glb", "tiff"}) {
     const std::string ours = text_of(out / (std::string("a.") + ending));
     EXPECT_GT(ours.size(), 100000U);
-    EXPECT_TRUE(ours == text_of(out / "cli" / (std::string("frame_00000.") + ending))) << ending;
+    const std::string name = ending == std::string("tiff") ? "frame_00000.rectified.tiff"
+                                                           : std::string("frame_00000.") + ending;
+    EXPECT_TRUE(ours == text_of(out / "cli" / name)) << ending;
   }
   EXPECT_TRUE(std::filesystem::exists(out / "cli" / "frame_00000.3d.png"));
 }

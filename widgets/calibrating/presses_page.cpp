@@ -285,9 +285,10 @@ StepState PressesPage::state() const {
   return missing().isEmpty() ? StepState::kDone : StepState::kToDo;
 }
 
-/// None while presses are taken without a click.
+/// None while presses are taken without a click, and until the last of them is there.
 const QPushButton* PressesPage::action_button() const {
-  return automatic_->isChecked() && has_radius() ? nullptr : take_;
+  const bool is_last_pending = is_series_over_ && taker_.state() != PressTaker::State::kIdle;
+  return is_last_pending || (automatic_->isChecked() && has_radius()) ? nullptr : take_;
 }
 
 QString PressesPage::missing() const {
@@ -824,6 +825,7 @@ void PressesPage::watch_contact() {
   // Whoever looks at a press, or drags its outline, is left alone.
   const bool may_take = can_take && automatic_->isChecked() && shown_.empty() && has_radius();
   const bool is_still = may_take && still_.add(guided_.contact, monotonic_s());
+  const bool was_pending = taker_.state() != PressTaker::State::kIdle;
   const auto taken =
       taker_.see(can_take ? result.frame : FramePtr(), guided_.contact, monotonic_s());
   guided_.hold_fraction = held_part();
@@ -831,6 +833,8 @@ void PressesPage::watch_contact() {
     add_taken(*taken);
   else if (is_still)
     take_automatically();
+  else if (was_pending && taker_.state() == PressTaker::State::kIdle)
+    Q_EMIT changed();  // it came to nothing
   show_guide();
 }
 

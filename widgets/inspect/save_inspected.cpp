@@ -1,7 +1,9 @@
 #include "widgets/inspect/save_inspected.h"
 
 #include "core/base/atomic_file.h"
+#include "core/image/image_file.h"
 #include "core/mesh/surface_file.h"
+#include "core/sensing/face/rectified_map.h"
 #include "core/sources/file_source.h"
 #include "widgets/inspect/inspection.h"
 
@@ -22,10 +24,18 @@ Error no_face(const std::filesystem::path& file) {
   return {en::say("there is no face to save"), file, en::say("another frame")};
 }
 
+bool is_map(const std::filesystem::path& file) { return file.extension() == ".tiff"; }
+
+Status save_map(const InspectedFrame& frame, const std::filesystem::path& file) {
+  const RectifiedMap map = rectified_map(frame.result.depth->depth_mm, *frame.result.shape);
+  return write_file_atomically(file, depth_tiff(map.values, map.plane));
+}
+
 }  // namespace
 
 Status save_surface(const InspectedFrame& frame, const std::filesystem::path& file) {
   if (!frame.result.depth) return no_face(file);
+  if (is_map(file)) return save_map(frame, file);
   const FaceVertices vertices = contact_face_vertices(frame.result, frame.face);
   return write_surface(file, vertices.points_mm, vertices.depth_mm);
 }
@@ -43,6 +53,10 @@ Status save_both(const FramePair& frames, const std::filesystem::path& file) {
   for (std::size_t i = 0; i < files.size(); ++i) {
     const InspectedFrame& frame = i == 0 ? *frames.first : *frames.second;
     if (!frame.result.depth) return no_face(files[i]);
+    if (is_map(file)) {  // each in its own plane
+      if (const Status status = save_map(frame, files[i]); !status) return status;
+      continue;
+    }
     FaceVertices vertices = contact_face_vertices(frame.result, frame.face);
     vertices.points_mm.forEach<cv::Vec3f>([&](cv::Vec3f& p, const int*) {
       const Eigen::Vector3d at = (*frames.poses)[i].point({p[0], p[1], p[2]});
@@ -302,9 +316,10 @@ SaveBar::SaveBar(QWidget* parent)
   connect(stop_, &QPushButton::clicked, this, &SaveBar::stop_requested);
   say([this] {
     const std::array<QString, kSaveFormats.size()> kinds{
-        tr("Mesh, PLY"),          tr("Mesh, VTP (VTK)"),      tr("Mesh, STL"),
-        tr("Mesh, glTF"),         tr("Image, PNG (300 dpi)"), tr("Cross-section, PDF"),
-        tr("Cross-section, SVG"), tr("Cross-section, CSV"),   tr("Video in 3D, MKV")};
+        tr("Mesh, PLY"),          tr("Mesh, VTP (VTK)"),       tr("Mesh, STL"),
+        tr("Mesh, glTF"),         tr("Depth map in mm, TIFF"), tr("Image, PNG (300 dpi)"),
+        tr("Cross-section, PDF"), tr("Cross-section, SVG"),    tr("Cross-section, CSV"),
+        tr("Video in 3D, MKV")};
     for (std::size_t i = 0; i < kinds.size(); ++i)
       kind_->setItemText(static_cast<int>(i), kinds[i]);
     kind_->setAccessibleName(tr("Content to save"));

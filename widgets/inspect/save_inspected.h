@@ -47,8 +47,8 @@ inline constexpr double kPaperDotsPerInch = 300, kPaperWidth_px = 2008;
 ///   bgr: CV_8UC3, blue, green, red
 [[nodiscard]] Status write_paper_figure(const std::filesystem::path& file, const cv::Mat& bgr);
 
-/// The contact face in the format of the file's ending: see write_surface(). Error: no face; those
-/// of write_surface().
+/// The contact face in the format of the file's ending: see write_surface(); .tiff: its depth over
+/// the face (rectified_map.h). Errors: no face; those of writing.
 [[nodiscard]] Status save_surface(const InspectedFrame& frame, const std::filesystem::path& file);
 
 /// NAME-1 and NAME-2 with the ending of `file`.
@@ -87,11 +87,11 @@ class FilmQueue {
 // Choice of a file format, and the progress of saving.
 
 /// File endings of all formats.
-inline constexpr std::array<const char*, 9> kSaveFormats{"ply", "vtp", "stl", "glb", "png",
-                                                         "pdf", "svg", "csv", "mkv"};
+inline constexpr std::array<const char*, 10> kSaveFormats{"ply", "vtp", "stl", "glb", "tiff",
+                                                          "png", "pdf", "svg", "csv", "mkv"};
 
 struct CanSave {
-  bool surface = false;  ///< PLY, VTP, STL, glTF
+  bool surface = false;  ///< PLY, VTP, STL, glTF, TIFF
   bool image = false;    ///< PNG
   bool section = false;  ///< PDF, SVG, CSV of the cross-section
   bool film = false;     ///< MKV
