@@ -1,4 +1,5 @@
 // What the place Inspect compares, tells under the pointer and over time, and writes for papers.
+#include "app/studio/session.h"
 #include "core/recording/video_file.h"
 #include "core/sensing/surface_measurement.h"
 #include "tests/studio/two_fingers.h"
@@ -301,6 +302,43 @@ TEST_F(InspectMore, FilmsTheLiveFinger) {
   auto film = VideoFile::open(out / "live.mkv");
   ASSERT_TRUE(film) << film.error().sentence();
   EXPECT_GT(film->frame_count(), 2U);
+}
+
+// What is compared with comes back from its file; where that was removed, the window says so and
+// compares with nothing.
+TEST(InspectSession, GoesOnComparingWithTheFileThatWasChosen) {
+  const TemporaryFolder folder;
+  const fs::path ball_file = folder / "ball.stl";
+  write_stl(ball_file, ball(4.0));
+  SessionState kept;
+  kept.finger = MadeFingers::get().calibrated();
+  kept.page = "inspect";
+  kept.inspect.options.recording = MadeFingers::get().touched_pictures();
+  kept.inspect.options.comparison = Comparison::kDifference;
+  kept.inspect.options.with = {OtherMethod::kBody, {}, {}, 0, ball_file};
+  kept.inspect.frame = 2;
+  for (const bool is_there : {true, false}) {
+    if (!is_there) fs::remove(ball_file);
+    StudioOptions options;
+    options.session_folder = folder / (is_there ? "there" : "removed");
+    { SessionStore(options.session_folder).keep(kept); }
+    Studio studio(options);
+    studio.click("Go on with finger calibrated, recording touched");
+    auto& place = *studio.window().findChild<InspectPage*>();
+    ASSERT_TRUE(wait_until([&] { return place.inspection().frame() != nullptr; }, 30000));
+    EXPECT_EQ(place.frame_number(), 2U);
+    EXPECT_EQ(place.options(), kept.inspect.options) << "the file may come back";
+    if (is_there) {
+      ASSERT_TRUE(
+          wait_until([&] { return place.inspection().frame()->body_rms_mm.has_value(); }, 30000));
+      EXPECT_LT(*place.inspection().frame()->body_rms_mm, 0.1);
+    } else {
+      EXPECT_TRUE(wait_until(
+          [&] { return studio.problems().find("ball.stl") != std::string::npos; }, 30000))
+          << studio.problems();
+      EXPECT_FALSE(place.inspection().frame()->body_rms_mm);
+    }
+  }
 }
 
 }  // namespace

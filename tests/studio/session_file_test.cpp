@@ -21,6 +21,10 @@ SessionState example() {
   state.view.depth = false;
   state.view.focus = true;
   state.view.depth_top_mm = 2.5;
+  state.inspect.options.recording = "/videos/a b.mkv";
+  state.inspect.options.comparison = Comparison::kDifference;
+  state.inspect.options.with = {OtherMethod::kBody, {}, {}, 0, "/bodies/rod 2.stl"};
+  state.inspect.frame = 17;
   state.is_locked = false;
   state.controls["usb-Camera_1-index0"] = {{9963795, "Gain", 17}, {10094850, "Exposure", -3}};
   state.recent_fingers = {"/fingers/left \"7\"", "/fingers/b"};
