@@ -1,5 +1,6 @@
 #include "widgets/plots/face_map_plot.h"
 
+#include "core/image/colour_map.h"
 #include "widgets/plots/custom_plot.h"
 #include "widgets/theme.h"
 
@@ -10,14 +11,15 @@
 namespace alltact {
 namespace {
 
-/// Viridis (van der Walt and Smith 2015): perceptually uniform, also in grey and to the
-/// colour-blind.
-QCPColorGradient viridis() {
-  static const char* const kStops[] = {"#440154", "#482878", "#3e4989", "#31688e", "#26828e",
-                                       "#1f9e89", "#35b779", "#6ece58", "#b5de2b", "#fde725"};
+QCPColorGradient viridis_gradient() {
+  constexpr int kSteps = 32;
   QCPColorGradient gradient;
   gradient.clearColorStops();
-  for (int i = 0; i < 10; ++i) gradient.setColorStopAt(i / 9.0, QColor(kStops[i]));
+  for (int i = 0; i <= kSteps; ++i) {
+    const double part = static_cast<double>(i) / kSteps;
+    const MapColour colour = viridis(part);
+    gradient.setColorStopAt(part, QColor(colour.red, colour.green, colour.blue));
+  }
   gradient.setNanHandling(QCPColorGradient::nhTransparent);
   return gradient;
 }
@@ -80,7 +82,7 @@ void FaceMapPlot::draw_cells() {
   scale_ = scale;
   scale->setBarWidth(12);
   map->setColorScale(scale);
-  map->setGradient(viridis());
+  map->setGradient(viridis_gradient());
   map->setDataRange(QCPRange(0, largest > 0 ? largest : 1));
   scale->axis()->setLabel(data_.quantity);
   add_axis(scale->axis());
