@@ -3,6 +3,7 @@
 #include <QAbstractTextDocumentLayout>
 #include <QBuffer>
 #include <QColor>
+#include <QEventLoop>
 #include <QHashFunctions>
 #include <QPageLayout>
 #include <QPdfWriter>
@@ -235,6 +236,8 @@ Result<std::string> Document::pdf(const std::string& date) const {
   QByteArray bytes;
   QBuffer buffer(&bytes);
   buffer.open(QIODevice::WriteOnly);
+  // QTextDocument lays long texts out by timers, for which a worker's thread needs a dispatcher.
+  const QEventLoop dispatcher;
   // Qt writes fonts in the order of a hash, which otherwise differs from run to run.
   QHashSeed::setDeterministicGlobalSeed();
   {
