@@ -17,8 +17,8 @@ namespace alltact {
 ///   images (png, jpg, bmp, tif, pgm) and folders of images, by their names with the numbers in
 ///     them by value; so are files that a shell listed by their letters. NAME.depth.tiff,
 ///     NAME.depth16.png, NAME.depth_sd.tiff, NAME.flags.png, NAME.sd_*.tiff, NAME.points.tiff,
-///     NAME.rectified.tiff, NAME.z.tiff and NAME.3d.png next to them are results. Images have no times and come as fast
-///     as requested;
+///     NAME.rectified.tiff, NAME.z.tiff and NAME.3d.png next to them are results. Images have no
+///     times and come as fast as requested;
 ///   one video (see VideoFile), whatever its name;
 ///   one scene (yaml): the finger it describes, simulated. As fast as requested it gives the
 ///     scene's frames; at the camera's pace it runs without end, with the faults of the scene.

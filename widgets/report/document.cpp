@@ -236,7 +236,7 @@ Result<std::string> Document::pdf(const std::string& date) const {
   QByteArray bytes;
   QBuffer buffer(&bytes);
   buffer.open(QIODevice::WriteOnly);
-  // QTextDocument lays long texts out by timers, for which a worker's thread needs a dispatcher.
+  // QTextDocument processes long texts by timers, for which a thread needs a dispatcher.
   const QEventLoop dispatcher;
   // Qt writes fonts in the order of a hash, which otherwise differs from run to run.
   QHashSeed::setDeterministicGlobalSeed();
