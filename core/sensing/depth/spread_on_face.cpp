@@ -114,7 +114,7 @@ SpreadOnFace::Columns columns_of(const UnrolledFace& face, const MappingParamete
   return columns;
 }
 
-/// Of every second.
+/// The mean of every two columns.
 std::vector<float> halved(const std::vector<float>& all) {
   std::vector<float> half;
   for (std::size_t i = 0; i + 1 < all.size(); i += 2) half.push_back(0.5F * (all[i] + all[i + 1]));
