@@ -40,18 +40,40 @@ namespace alltact {
          b * ((1 - a) * static_cast<double>(bottom[0]) + a * static_cast<double>(bottom[1]));
 }
 
-/// In single precision and without branches, for hot loops: the nearest pixel beyond the border.
-/// `image`: CV_32FC1, at least 2 x 2.
+/// The same in single precision and without branches, for hot loops: the nearest pixel beyond the
+/// border. The compiler vectorises loads from fixed pointers only. `image`: CV_32FC1, at least 2 x
+/// 2; it must outlive this.
+class BilinearSamples {
+ public:
+  explicit BilinearSamples(const cv::Mat& image)
+      : here_(image.ptr<float>()),
+        right_(here_ + 1),
+        below_(here_ + image.step1()),
+        diagonal_(below_ + 1),
+        step_(static_cast<int>(image.step1())),
+        last_u_(static_cast<float>(image.cols) - kInside),
+        last_v_(static_cast<float>(image.rows) - kInside) {}
+
+  [[nodiscard, gnu::always_inline]] float at(float u, float v) const {
+    const float x = std::min(std::max(u, 0.0F), last_u_);
+    const float y = std::min(std::max(v, 0.0F), last_v_);
+    const int i = static_cast<int>(x), j = static_cast<int>(y);
+    const float a = x - static_cast<float>(i), b = y - static_cast<float>(j);
+    const int k = j * step_ + i;
+    const float above = here_[k] + a * (right_[k] - here_[k]);
+    return above + b * (below_[k] + a * (diagonal_[k] - below_[k]) - above);
+  }
+
+ private:
+  static constexpr float kInside = 1.001F;
+  const float *here_, *right_, *below_, *diagonal_;
+  int step_;
+  float last_u_, last_v_;
+};
+
+/// A single one.
 [[nodiscard]] inline float bilinear_within(const cv::Mat& image, float u, float v) {
-  constexpr float kInside = 1.001F;
-  const float x = std::min(std::max(u, 0.0F), static_cast<float>(image.cols) - kInside);
-  const float y = std::min(std::max(v, 0.0F), static_cast<float>(image.rows) - kInside);
-  const int i = static_cast<int>(x), j = static_cast<int>(y);
-  const float a = x - static_cast<float>(i), b = y - static_cast<float>(j);
-  const float* top = image.ptr<float>(j) + i;
-  const float* bottom = image.ptr<float>(j + 1) + i;
-  const float above = top[0] + a * (top[1] - top[0]);
-  return above + b * (bottom[0] + a * (bottom[1] - bottom[0]) - above);
+  return BilinearSamples(image).at(u, v);
 }
 
 }  // namespace alltact

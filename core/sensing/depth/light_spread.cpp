@@ -1,6 +1,5 @@
 #include "core/sensing/depth/light_spread.h"
 
-#include "core/numerics/image_noise.h"
 #include "core/numerics/median.h"
 #include "core/sensing/depth/spread_on_face.h"
 #include "core/sensing/depth/unrolled_face.h"

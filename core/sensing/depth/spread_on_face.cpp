@@ -12,6 +12,7 @@
 namespace alltact {
 
 double core_for_removal(double core) {
+  constexpr int kMostOrders = 9;
   return core / std::max(1e-9, 1.0 - std::pow(1.0 - core, kMostOrders));
 }
 
@@ -124,30 +125,6 @@ std::vector<float> halved(const std::vector<float>& all) {
 constexpr int kParts = 24;  // of the table of pixels that see
 constexpr float kLeastPart = 0.2F, kPartStep = 0.04F;
 
-/// bilinear_within() in a form that the compiler vectorises: it gathers from fixed pointers only.
-struct Samples {
-  const float *here, *right, *below, *diagonal;
-  int step;
-  float last_column, last_row;
-  explicit Samples(const cv::Mat& image)
-      : here(image.ptr<float>()),
-        right(here + 1),
-        below(here + image.step1()),
-        diagonal(below + 1),
-        step(static_cast<int>(image.step1())),
-        last_column(static_cast<float>(image.cols) - 1.001F),
-        last_row(static_cast<float>(image.rows) - 1.001F) {}
-  [[gnu::always_inline]] float at(float column, float row) const {
-    const float x = std::min(std::max(column, 0.0F), last_column);
-    const float y = std::min(std::max(row, 0.0F), last_row);
-    const int i = static_cast<int>(x), j = static_cast<int>(y);
-    const float a = x - static_cast<float>(i), b = y - static_cast<float>(j);
-    const int k = j * step + i;
-    const float above = here[k] + a * (right[k] - here[k]);
-    return above + b * (below[k] + a * (diagonal[k] - below[k]) - above);
-  }
-};
-
 constexpr int kRounds = 8;        // on the grid of half as many
 constexpr int kRoundsOfPath = 3;  // of all cells, from there
 // A cell's depth decides from where it is seen. At steep edges full steps swing.
@@ -165,10 +142,11 @@ ALLTACT_WIDE void undo_row(const UndoneRow& of, const float* __restrict along,
                            const float* __restrict across, const float* __restrict across_slope,
                            const float* __restrict core, const float* __restrict skirt_shift,
                            const float* __restrict b, const float* __restrict seeing,
-                           const float* __restrict seeing_next, const Samples& x_at,
-                           const Samples& q_at, float* __restrict y, float* __restrict seen_x) {
+                           const float* __restrict seeing_next, const BilinearSamples& x_at,
+                           const BilinearSamples& q_at, float* __restrict y,
+                           float* __restrict seen_x) {
   constexpr float kLast = kLeastPart + (static_cast<float>(kParts) - 1.001F) * kPartStep;
-  const Samples x = x_at, q = q_at;
+  const BilinearSamples x = x_at, q = q_at;
   const UndoneRow here = of;
   const float offset = 0.5F * (here.cells_per_step - 1.0F), steps = 1.0F / here.cells_per_step;
   for (int i = 0; i < here.cells; ++i) {
@@ -233,7 +211,7 @@ void SpreadOnFace::tabulate_seeing() {
 }
 
 void SpreadOnFace::undo_rows(const cv::Mat& x, bool is_half, Cells* cells) const {
-  const Samples x_at(x), q_at(skirt_.q());
+  const BilinearSamples x_at(x), q_at(skirt_.q());
   const float per_step = is_half ? 2.0F : 1.0F;
   for (int row = 0; row < x.rows; ++row) {
     const float on_face = static_cast<float>(row) * per_step + 0.5F * (per_step - 1.0F);

@@ -40,15 +40,14 @@ template <class Real>
   return mapping.a_mm / (1.0 + mapping.b);
 }
 
-/// Removal raises detail, and noise, by no more than (1 - (1 - core)^kMostOrders) / core: it takes
-/// the core for larger where that is much.
-constexpr int kMostOrders = 9;
+/// Removal raises detail, and noise, by no more than (1 - (1 - core)^9) / core: it takes the core
+/// for larger where that is much.
 [[nodiscard]] double core_for_removal(double core);
 
 /// The skirt's light on a face: q, on a grid of half as many rows and columns.
 class SkirtLight {
  public:
-  /// `size`: of this grid, over the face's. `core`: by its columns.
+  /// `core`: by columns of this grid.
   SkirtLight(const UnrolledFace& face, double width_mm, std::vector<float> core);
 
   /// q of cells that would show y on even layers: r q - width^2 laplace q = r e.

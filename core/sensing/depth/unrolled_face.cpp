@@ -1,6 +1,7 @@
 #include "core/sensing/depth/unrolled_face.h"
 
 #include "core/numerics/dispatch.h"
+#include "core/numerics/image_noise.h"
 #include "core/numerics/vector_loops.h"
 #include "core/sensing/reference/image_warp.h"
 
@@ -160,25 +161,17 @@ UnrolledFace UnrolledFace::part(const cv::Rect& cells) const {
 
 namespace {
 
-/// Cells of a row at w mm across the face; NaN outside of the image. Only loads from fixed pointers
-/// are vectorised.
-ALLTACT_WIDE void sample_row(const float* __restrict image, const float* __restrict right,
-                             const float* __restrict below, const float* __restrict diagonal,
-                             int step, const cv::Size& size, const float* __restrict at_u,
-                             const float* __restrict middle_v, const float* __restrict px_per_mm,
-                             float w_mm, int count, float* __restrict out) {
+/// Cells of a row at w mm across the face; NaN outside of the image.
+ALLTACT_WIDE void sample_row(const BilinearSamples& image, const cv::Size& size,
+                             const float* __restrict at_u, const float* __restrict middle_v,
+                             const float* __restrict px_per_mm, float w_mm, int count,
+                             float* __restrict out) {
+  const BilinearSamples samples = image;
   const auto last_u = static_cast<float>(size.width - 1),
              last_v = static_cast<float>(size.height - 1);
   for (int i = 0; i < count; ++i) {
     const float u = at_u[i], v = middle_v[i] + w_mm * px_per_mm[i];
-    const float inner_u = std::min(std::max(u, 0.0F), last_u - 0.001F),
-                inner_v = std::min(std::max(v, 0.0F), last_v - 0.001F);
-    const int column = static_cast<int>(inner_u), row = static_cast<int>(inner_v);
-    const float a = inner_u - static_cast<float>(column), b = inner_v - static_cast<float>(row);
-    const int at = row * step + column;
-    const float above = image[at] + a * (right[at] - image[at]);
-    const float under = below[at] + a * (diagonal[at] - below[at]);
-    const float value = above + b * (under - above);
+    const float value = samples.at(u, v);
     const bool is_within = (u >= 0.0F) & (u <= last_u) & (v >= 0.0F) & (v <= last_v);
     out[i] = is_within ? value : std::numeric_limits<float>::quiet_NaN();
   }
@@ -195,12 +188,10 @@ cv::Mat UnrolledFace::from_pixels(const cv::Mat& image, cv::Mat* measured) const
     middle_v.push_back(static_cast<float>(along(middle_v_, s)));
     px_per_mm.push_back(static_cast<float>(1.0 / along(mm_per_px_, s)));
   }
-  const auto* first = image.ptr<float>();
-  const auto step = static_cast<int>(image.step1());
+  const BilinearSamples samples(image);
   for (int j = 0; j < size_.height; ++j)
-    sample_row(first, first + 1, first + step, first + step + 1, step, image.size(), u.data(),
-               middle_v.data(), px_per_mm.data(), static_cast<float>((j - middle_row()) * step_w_),
-               size_.width, cells.ptr<float>(j));
+    sample_row(samples, image.size(), u.data(), middle_v.data(), px_per_mm.data(),
+               static_cast<float>((j - middle_row()) * step_w_), size_.width, cells.ptr<float>(j));
   if (measured != nullptr) *measured = cells == cells;  // NaN is not itself
   fill_unmeasured(cells);
   return cells;
