@@ -1636,6 +1636,10 @@
         <source>Frame %1, the rest pose: %2</source>
         <translation>Bild %1, die Ruhelage: %2</translation>
     </message>
+    <message>
+        <source>represented by neighbouring frames</source>
+        <translation>durch benachbarte Bilder vertreten</translation>
+    </message>
 </context>
 <context>
     <name>alltact::GageDialog</name>
@@ -15692,6 +15696,10 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>record again</source>
         <translation>nochmals aufnehmen</translation>
+    </message>
+    <message>
+        <source>neighbouring frames represent it: the recording is long</source>
+        <translation>benachbarte Bilder vertreten es: die Aufnahme ist lang</translation>
     </message>
 </context>
 </TS>

@@ -1624,6 +1624,10 @@
         <source>Frame %1, the rest pose: %2</source>
         <translation>第 %1 帧，静止姿态：%2</translation>
     </message>
+    <message>
+        <source>represented by neighbouring frames</source>
+        <translation>由相邻帧代表</translation>
+    </message>
 </context>
 <context>
     <name>alltact::GageDialog</name>
@@ -15621,6 +15625,10 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>record again</source>
         <translation>请重新录制</translation>
+    </message>
+    <message>
+        <source>neighbouring frames represent it: the recording is long</source>
+        <translation>由相邻帧代表：录像较长</translation>
     </message>
 </context>
 </TS>

@@ -456,7 +456,7 @@ class Search {
         motion_off_px_(motion_off_px),
         terms_(pose_terms_of(modes)),
         count_(static_cast<std::size_t>(patches.frames())),
-        gap_(static_cast<int>(std::max(kLeastGap, count_ / kGapPart))),
+        gap_(std::max(kLeastGap, (numbers.back() - numbers.front() + 1) / kGapPart)),
         near_(near_poses(modes, numbers, gap_)),
         in_contact_(count_, 0),
         judged_(count_, 0) {}
@@ -476,7 +476,7 @@ class Search {
   }
 
  private:
-  static constexpr std::size_t kGapPart = 12, kLeastGap = 3;
+  static constexpr int kGapPart = 12, kLeastGap = 3;  // of the recording; frames
 
   /// Clear contacts leave the fit, the strongest first. Other dark frames are left out of the first
   /// exact fit, which decides on them.

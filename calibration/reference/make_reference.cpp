@@ -319,9 +319,11 @@ Result<RecordedFaces> exclude_contacts(RecordedVideo& video, const NumberedRecor
   auto read = read_frames(video, numbered, earlier, selected, job);
   if (!read) return read.error();
   const std::vector<std::size_t>& numbers = read->numbers;
-  for (const std::size_t number : read->faceless)
+  for (const std::size_t number : read->faceless) {
+    report.uses[number] = FrameUse::kUnusable;
     report.rejected.push_back(en::at(en::say("frame {}", number),
                                      en::say("the two long edges of the face were not found")));
+  }
   if (earlier)
     if (const auto touch = find_persistent_contact(read->rows.patches, read->rows.modes,
                                                    static_cast<int>(numbers.size())))
@@ -463,11 +465,14 @@ constexpr std::size_t kFewFrames = 100;  // below that number even repetitions h
 // The usable frames of the new video, by their number in the recording.
 std::vector<std::size_t> numbered_frames(const RecordingPass& pass, MadeReference& made) {
   std::vector<std::size_t> selected;
-  for (std::size_t i = 0; i < pass.frames.size(); ++i) {
-    if (made.numbered.markers[i])
+  made.report.uses.assign(pass.frames.size(), FrameUse::kRepresented);
+  for (std::size_t i = 0; i < pass.frames.size(); i += pass.every) {
+    if (made.numbered.markers[i]) {
       selected.push_back(i);
-    else
-      made.report.rejected.push_back(en::at(en::say("frame {}", i), made.numbered.problems[i]));
+      continue;
+    }
+    made.report.uses[i] = FrameUse::kUnusable;
+    made.report.rejected.push_back(en::at(en::say("frame {}", i), made.numbered.problems[i]));
   }
   return selected;
 }
@@ -525,7 +530,9 @@ std::optional<std::size_t> frame_nearest_to(const RestPose& pose,
 }
 
 // The requested frame, the one closest to the requested pose, or the middle one of those selected.
-Status choose_rest(const ReferenceChoices& choices, const std::vector<std::size_t>& selected,
+// every: RecordingPass::every.
+Status choose_rest(const ReferenceChoices& choices, std::size_t every,
+                   const std::vector<std::size_t>& selected,
                    const std::vector<const StudiedFrame*>& frames, MadeReference& made) {
   std::optional<std::size_t> nearest;
   if (choices.rest_pose) nearest = frame_nearest_to(*choices.rest_pose, frames, choices.need);
@@ -533,9 +540,10 @@ Status choose_rest(const ReferenceChoices& choices, const std::vector<std::size_
     nearest = static_cast<std::size_t>(middle_pose(table_of(made.numbered, selected).layouts));
   made.rest = selected[*nearest];
   if (const auto& requested = choices.rest_frame) {
-    const auto number = static_cast<std::size_t>(*requested);
+    auto number = static_cast<std::size_t>(*requested);
     const auto& markers = made.numbered.markers;
     const bool is_there = *requested >= 0 && number < markers.size();
+    number -= number % every;
     if (!is_there || !markers[number]) {
       const Message why =
           is_there ? made.numbered.problems[number] : en::say("the recording has no such frame");
@@ -565,19 +573,19 @@ Status study(const RecordingPass& pass, const Camera& camera, const Finger& fing
       ReferenceLibrary::from_faces(std::move(*faces), table, finger, camera, pass.video);
   if (!library) return library.error();
   std::vector<std::size_t> of_library;  // by the library's index, the number in the recording
-  std::vector<Markers> markers;
+  std::vector<StudyInput> recorded;
   for (std::size_t i = 0, row = 0; row < library->frame_count(); ++i) {
     if (table.frames[i] != library->frame_numbers()[row]) continue;
     of_library.push_back(selected[i]);
-    markers.push_back(*made.numbered.markers[selected[i]]);
+    recorded.push_back({selected[i], *made.numbered.markers[selected[i]]});
     ++row;
   }
   selected = std::move(of_library);
-  const auto studied = study_recording(*library, markers, video, Job(job, 0.6, 1.0));
+  const auto studied = study_recording(*library, recorded, video, Job(job, 0.6, 1.0));
   if (!studied) return studied.error();
   std::vector<const StudiedFrame*> untouched;
   for (const StudiedFrame& one : studied->frames) untouched.push_back(&one);
-  const Status rested = choose_rest(choices, selected, untouched, made);
+  const Status rested = choose_rest(choices, pass.every, selected, untouched, made);
   if (!rested) return rested;
   const auto rest = std::find(selected.begin(), selected.end(), made.rest) - selected.begin();
   add_motion(untouched,
@@ -654,7 +662,6 @@ Status make_reference(Source& source, const Camera& camera, const Finger& finger
   ReferenceReport& report = made.report;
   report.coverage = MotionCoverage(choices.need);
   report.frames_read = static_cast<int>(pass->frames.size());
-  report.uses.assign(pass->frames.size(), FrameUse::kUnusable);
   if (pass->frames.size() < 2)
     return Error{
         en::count("the recording holds {} frames; at least 2 are needed",

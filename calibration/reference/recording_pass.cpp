@@ -24,8 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMaxCachedBytes = std::size_t{128} << 20;
-constexpr int kMaxTraced = 8192;  // frames whose edges are remembered: 10 kB each
+constexpr std::size_t kMaxCachedBytes = std::size_t{256} << 20;
 
 // The reference video, created at its first frame; none where the recording is copied later.
 class ReferenceVideo {
@@ -80,9 +79,17 @@ FrameDots analyse(const cv::Mat& grey, const Camera& camera, const Finger& finge
 
 constexpr std::size_t kAtOnce = 16;  // frames that are read and analysed at a time
 
+/// Of a recording of that many frames.
+std::size_t every_of(std::size_t count) {
+  std::size_t every = 1;
+  while ((count + every - 1) / every > kMaxExamined) every *= 2;
+  return every;
+}
+
 struct ReadFrame {
-  FramePtr frame;  // null: unreadable, for the reason in `dots.problem`
-  cv::Mat grey;    // oriented as the camera
+  std::size_t number = 0;  // in the recording
+  FramePtr frame;          // null: unreadable, for the reason in `dots.problem`
+  cv::Mat grey;            // oriented as the camera
   FrameDots dots;
   FaceEdges edges;
 };
@@ -98,22 +105,25 @@ class RecordingCopy {
         video_(source, video),
         job_(job) {}
 
-  /// The next frames, up to kAtOnce; none after the last. Errors: a wrong size; a source that fails
-  /// permanently; stopped.
-  Result<std::vector<ReadFrame>> read() {
+  /// The next frames whose number is a multiple of `every`, up to kAtOnce; none after the last.
+  /// Errors: a wrong size; a source that fails permanently; stopped.
+  Result<std::vector<ReadFrame>> read(std::size_t every) {
     std::vector<ReadFrame> block;
-    while (!is_over_ && block.size() < kAtOnce) {
+    while (block.size() < kAtOnce) {
       if (job_.stop_requested())
         return Error{en::say("stopped before the recording was read"), folder_.string(), ""};
-      auto frame = source_.next();
-      if (frame && !*frame) {
-        is_over_ = true;
-        break;
+      const std::size_t unexamined = (every - position_ % every) % every;
+      if (unexamined > 0 && source_.count()) {
+        source_.skip(unexamined);
+        position_ += unexamined;
       }
-      ++count_;
+      auto frame = source_.next();
+      if (frame && !*frame) break;
+      const std::size_t number = position_++;
+      if (frame && number % every != 0) continue;
       if (!frame) {
         if (fails_permanently()) return frame.error();
-        block.push_back({{}, {}, {{}, {}, {}, frame.error().what}, {}});
+        block.push_back({number, {}, {}, {{}, {}, {}, frame.error().what}, {}});
         continue;
       }
       is_any_readable_ = true;
@@ -123,7 +133,7 @@ class RecordingCopy {
                                en::say("a recording from this finger's camera, or the right "
                                        "camera.size and orientation"));
       if (!grey) return grey.error();
-      block.push_back({std::move(*frame), std::move(*grey), {}, {}});
+      block.push_back({number, std::move(*frame), std::move(*grey), {}, {}});
     }
     return block;
   }
@@ -136,13 +146,15 @@ class RecordingCopy {
   }
   Status finish() { return video_.finish(); }
   [[nodiscard]] const ReferenceVideo& video() const { return video_; }
+  /// Frames of the source, once it is read to its end.
+  [[nodiscard]] std::size_t count() const { return source_.count().value_or(position_); }
 
  private:
   /// Such a source must not block.
   [[nodiscard]] bool fails_permanently() const {
     constexpr std::size_t kMaxUnreadable = 100;
     const auto total = source_.count();
-    return total ? count_ > *total : !is_any_readable_ && count_ > kMaxUnreadable;
+    return total ? position_ > *total : !is_any_readable_ && position_ > kMaxUnreadable;
   }
 
   Source& source_;
@@ -150,8 +162,8 @@ class RecordingCopy {
   fs::path folder_;
   ReferenceVideo video_;
   const Job& job_;
-  std::size_t count_ = 0;
-  bool is_over_ = false, is_any_readable_ = false;
+  std::size_t position_ = 0;
+  bool is_any_readable_ = false;
 };
 
 void report_read(const Source& source, std::size_t count, const Job& job) {
@@ -160,35 +172,103 @@ void report_read(const Source& source, std::size_t count, const Job& job) {
                en::say("reading frame {} of {}", count + 1, *total));
 }
 
-/// is_in_video: the video holds frames that cannot be read as well.
-void add_to(RecordingPass& pass, ReadFrame& read, bool is_in_video, std::size_t& cached_bytes) {
-  pass.frames.push_back(std::move(read.dots));
-  pass.in_video.push_back(read.frame || is_in_video ? pass.video_frames : -1);
-  if (pass.in_video.back() < 0) return;
-  ++pass.video_frames;
-  if (read.frame) pass.settings.add(*read.frame);
-  pass.edges.push_back(pass.video_frames <= kMaxTraced ? std::move(read.edges) : FaceEdges());
-  const std::size_t bytes = read.grey.total();
-  const bool has_room = cached_bytes + bytes <= kMaxCachedBytes;
-  pass.greys.push_back(has_room ? read.grey : cv::Mat());
-  if (has_room) cached_bytes += bytes;
-}
+/// Collects the results of the first pass, and thins them as the recording grows.
+class PassResults {
+ public:
+  explicit PassResults(const ReferenceVideo& video) : is_copied_(video.is_copied()) {
+    pass_.video = video.file();
+  }
+
+  [[nodiscard]] std::size_t every() const { return pass_.every; }
+  [[nodiscard]] std::size_t count() const { return pass_.frames.size(); }
+
+  /// The recording has at least that many frames.
+  void grow(std::size_t count) {
+    const std::size_t every = std::max(pass_.every, every_of(count));
+    if (every == pass_.every) return;
+    pass_.every = every;
+    for (std::size_t i = 0; i < pass_.frames.size(); ++i)
+      if (!pass_.is_examined(i)) drop(i);
+  }
+
+  void add(ReadFrame& read) {
+    resize(read.number + 1);
+    if (!pass_.is_examined(read.number)) return;
+    const std::size_t i = read.number;
+    pass_.frames[i] = std::move(read.dots);
+    if (read.frame) controls_[i] = read.frame->controls;
+    if (!is_copied_) {
+      if (!read.frame) return;
+      pass_.in_video[i] = pass_.video_frames++;
+      pass_.greys.emplace_back();
+      pass_.edges.emplace_back();
+    }
+    const auto in_video = static_cast<std::size_t>(pass_.in_video[i]);
+    pass_.edges[in_video] = std::move(read.edges);
+    if (cached_bytes_ + read.grey.total() > kMaxCachedBytes) return;
+    cached_bytes_ += read.grey.total();
+    pass_.greys[in_video] = read.grey;
+  }
+
+  /// count: frames of the recording.
+  RecordingPass finish(std::size_t count) {
+    resize(count);
+    for (auto& controls : controls_) {
+      Frame frame;
+      frame.controls = std::move(controls);
+      pass_.settings.add(frame);
+    }
+    return std::move(pass_);
+  }
+
+ private:
+  static FrameDots not_examined() {
+    return {{}, {}, {}, en::say("neighbouring frames represent it: the recording is long")};
+  }
+  void resize(std::size_t count) {
+    if (count <= pass_.frames.size()) return;
+    for (std::size_t i = pass_.frames.size(); i < count; ++i)
+      pass_.in_video.push_back(is_copied_ ? static_cast<int>(i) : -1);
+    pass_.frames.resize(count, not_examined());
+    controls_.resize(count);
+    if (!is_copied_) return;
+    pass_.video_frames = static_cast<int>(count);
+    pass_.greys.resize(count);
+    pass_.edges.resize(count);
+  }
+  void drop(std::size_t frame) {
+    pass_.frames[frame] = not_examined();
+    controls_[frame].reset();
+    if (pass_.in_video[frame] < 0) return;
+    const auto in_video = static_cast<std::size_t>(pass_.in_video[frame]);
+    cached_bytes_ -= pass_.greys[in_video].total();
+    pass_.greys[in_video].release();
+    pass_.edges[in_video] = {};
+  }
+
+  bool is_copied_;
+  RecordingPass pass_;
+  std::vector<std::shared_ptr<const std::string>> controls_;  // by number in the recording
+  std::size_t cached_bytes_ = 0;
+};
 
 }  // namespace
 
 Result<RecordingPass> read_recording(Source& source, const Camera& camera, const Finger& finger,
                                      const Job& job, const fs::path& video) {
-  RecordingPass pass;
   RecordingCopy copy(source, finger.camera, video, job);
-  pass.video = copy.video().file();
-  std::size_t cached_bytes = 0;
-  auto block = copy.read();
+  PassResults results(copy.video());
+  results.grow(source.count().value_or(0));
+  auto block = copy.read(results.every());
   while (block && !block->empty()) {
-    report_read(source, pass.frames.size(), job);
+    report_read(source, results.count(), job);
+    results.grow(std::max(source.count().value_or(0), block->back().number + 1));
+    const std::size_t every = results.every();
+    std::erase_if(*block, [&](const ReadFrame& read) { return read.number % every != 0; });
     // While these are analysed, they are written and the next ones are read.
     auto next = std::async(std::launch::async, [&]() -> Result<std::vector<ReadFrame>> {
       if (const Status written = copy.write(*block); !written) return written.error();
-      return copy.read();
+      return copy.read(every);
     });
     std::vector<std::pair<FrameDots, FaceEdges>> found(block->size());
     parallel_for(static_cast<int>(block->size()), default_threads(), [&](int first, int end) {
@@ -201,13 +281,13 @@ Result<RecordingPass> read_recording(Source& source, const Camera& camera, const
     auto following = next.get();
     for (std::size_t i = 0; i < block->size(); ++i) {
       if ((*block)[i].frame) std::tie((*block)[i].dots, (*block)[i].edges) = std::move(found[i]);
-      add_to(pass, (*block)[i], copy.video().is_copied(), cached_bytes);
+      results.add((*block)[i]);
     }
     block = std::move(following);
   }
   if (!block) return block.error();
   if (const Status finished = copy.finish(); !finished) return finished.error();
-  return pass;
+  return results.finish(copy.count());
 }
 
 Status retain_frames(const RecordingPass& pass, const std::vector<std::size_t>& selected,
@@ -326,9 +406,11 @@ Patches patches_of(const Difference& difference, const FaceShape& shape, double 
 
 class Study {
  public:
-  Study(const ReferenceLibrary& library, const std::vector<Markers>& numbered, double frames_per_s)
-      : library_(library), numbered_(numbered) {
-    const double most = kMaxFraction * static_cast<double>(library.frame_count());
+  Study(const ReferenceLibrary& library, const std::vector<StudyInput>& recorded,
+        double frames_per_s)
+      : library_(library), recorded_(recorded) {
+    const double most =
+        kMaxFraction * static_cast<double>(recorded.back().number - recorded.front().number + 1);
     gap_ = static_cast<std::size_t>(std::max(1.0, std::min(most, kMaxSeconds * frames_per_s)));
     apart_ = (library.frame_count() + kMaxCompared - 1) / kMaxCompared;
   }
@@ -340,13 +422,15 @@ class Study {
                                    double noise_sd) const {
     StudiedFrame studied;
     studied.number = library_.frame_numbers()[index];
-    const Markers& markers = numbered_[index];
+    const auto& [recorded, markers] = recorded_[index];
     for (std::size_t pair = 0; pair < markers.size() / 2; ++pair)
       studied.pairs.push_back(tip_pose(markers, pair, shape));
     if (!is_compared(index)) return studied;
     std::vector<char> without(library_.frame_count(), 0);
-    const std::size_t first = index > gap_ ? index - gap_ : 0;
-    for (std::size_t i = first; i <= index + gap_ && i < without.size(); ++i) without[i] = 1;
+    for (std::size_t i = 0; i < without.size(); ++i) {
+      const std::size_t other = recorded_[i].number;
+      without[i] = static_cast<char>(other <= recorded + gap_ && recorded <= other + gap_);
+    }
     if (std::count(without.begin(), without.end(), 0) < 2) return studied;
     const auto patches = compare(index, shape, grey, noise_sd, without);
     if (!patches) return studied;
@@ -360,7 +444,7 @@ class Study {
                                                const cv::Mat& grey, double noise_sd,
                                                const std::vector<char>& without) const {
     const Reference reference =
-        library_.reference_for(numbered_[index], shape, ReferenceMethod::kLocal, without);
+        library_.reference_for(recorded_[index].markers, shape, ReferenceMethod::kLocal, without);
     // Outside the others' poses the reference is extrapolated and does not count.
     if (!reference.known_pose || reference.noise_gain > 1.0) return std::nullopt;
     DifferenceOptions options;
@@ -384,7 +468,7 @@ class Study {
   }
 
   const ReferenceLibrary& library_;
-  const std::vector<Markers>& numbered_;
+  const std::vector<StudyInput>& recorded_;
   std::size_t gap_, apart_;
 };
 
@@ -399,10 +483,10 @@ double quantile_of(std::vector<double> values, double part) {
 }  // namespace
 
 Result<RecordingStudy> study_recording(const ReferenceLibrary& library,
-                                       const std::vector<Markers>& numbered, RecordedVideo& video,
-                                       const Job& job) {
+                                       const std::vector<StudyInput>& recorded,
+                                       RecordedVideo& video, const Job& job) {
   const std::size_t count = library.frame_count();
-  const Study study(library, numbered, video.reader.frames_per_s());
+  const Study study(library, recorded, video.reader.frames_per_s());
   RecordingStudy result;
   std::vector<cv::Mat> greys;
   for (std::size_t first = 0; first < count; first += kAtOnce) {

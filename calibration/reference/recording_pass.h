@@ -22,22 +22,31 @@
 
 namespace alltact {
 
+/// Frames of a long recording beyond this number only repeat poses that the others show: the
+/// library of a 960 x 540 camera retains 500 of them.
+inline constexpr std::size_t kMaxExamined = 768;
+
 /// Results of the first pass.
 struct RecordingPass {
   std::filesystem::path video;  ///< that holds the frames
-  std::vector<FrameDots> frames;
-  std::vector<int> in_video;  ///< by frame, its number in the video; -1: it is not in it
+  /// Of this many frames the first is examined. A power of two, so that a recording is thinned
+  /// while it runs as it is from its file.
+  std::size_t every = 1;
+  std::vector<FrameDots> frames;  ///< by number in the recording
+  std::vector<int> in_video;      ///< by frame, its number in the video; -1: it is not in it
   int video_frames = 0;
   /// By number in the video, the oriented images, so that they need not be decoded again; empty
-  /// beyond the first 128 MB.
+  /// where they are not examined or exceed 256 MB.
   std::vector<cv::Mat> greys;
-  /// By number in the video; without columns: no face was found, or the recording is long.
+  /// By number in the video; without columns: no face was found, or it is not examined.
   std::vector<FaceEdges> edges;
-  SettingsMonitor settings;
+  SettingsMonitor settings;  ///< of the examined frames
+
+  [[nodiscard]] bool is_examined(std::size_t frame) const { return frame % every == 0; }
 };
 
-/// Reads the source to its end and finds dots. Unless the source is a file without loss, writes
-/// every readable frame to `video` (lossless grey, as from the source). Errors: a wrong size; a
+/// Reads the source to its end and finds dots. Unless the source is a file without loss, writes the
+/// examined readable frames to `video` (lossless grey, as from the source). Errors: a wrong size; a
 /// source that fails permanently; the video cannot be written; a stopped job.
 [[nodiscard]] Result<RecordingPass> read_recording(Source& source, const Camera& camera,
                                                    const Finger& finger, const Job& job,
@@ -85,6 +94,12 @@ struct StudiedFrame {
   std::vector<std::optional<TipPose>> pairs;  ///< by pair of dots, from base to tip
 };
 
+/// A frame of the library.
+struct StudyInput {
+  std::size_t number = 0;  ///< in the recording
+  Markers markers;
+};
+
 struct RecordingStudy {
   std::vector<StudiedFrame> frames;  ///< by the library's index
   /// Brightness error of references from this recording, as fractions of the brightness.
@@ -94,10 +109,9 @@ struct RecordingStudy {
 /// Compares frames, at most 120 spread over the recording, with the local regression over the
 /// others. Those taken shortly before and after show the same pose and are left out (an eighth of
 /// the recording, at most two seconds). The frames must be untouched (contact_search.h).
-/// `numbered`: the markers of the library's frames, by index. Errors: a stopped job; a frame that
-/// cannot be read.
+/// `recorded`: by the library's index. Errors: a stopped job; a frame that cannot be read.
 [[nodiscard]] Result<RecordingStudy> study_recording(const ReferenceLibrary& library,
-                                                     const std::vector<Markers>& numbered,
+                                                     const std::vector<StudyInput>& recorded,
                                                      RecordedVideo& video, const Job& job);
 
 }  // namespace alltact

@@ -36,6 +36,7 @@ enum class FrameUse : std::uint8_t {
   kExcluded,      ///< by ReferenceChoices::leave_out
   kInContact,     ///< something presses on the contact face, or may do so
   kRepeatsPose,   ///< others show the same pose
+  kRepresented,   ///< by neighbouring frames or those of near pose: the recording is long
   kRetained
 };
 
@@ -83,8 +84,8 @@ inline constexpr double kMaxContactFraction = 0.75;
 /// Options of installing a recording.
 struct ReferenceChoices {
   MotionNeed need;
-  /// Number in the recording of the rest frame; empty: the frame nearest to `rest_pose`, else the
-  /// one nearest to the middle of all poses.
+  /// Number in the recording of the rest frame, of a long one of the examined frame before it;
+  /// empty: the frame nearest to `rest_pose`, else the one nearest to the middle of all poses.
   std::optional<int> rest_frame;
   std::optional<RestPose> rest_pose;
   /// Frames that count as untouched in any case, and frames that are not used at all. The second

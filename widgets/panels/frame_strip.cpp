@@ -15,11 +15,12 @@ namespace alltact {
 namespace {
 
 constexpr int kBar_px = 18, kMarks_px = 8, kSwatch_px = 10, kGap_px = 6;
-constexpr std::array kUses{FrameUse::kRetained, FrameUse::kRepeatsPose, FrameUse::kInContact,
-                           FrameUse::kExcluded, FrameUse::kUnusable};
+constexpr std::array kUses{FrameUse::kRetained,  FrameUse::kRepeatsPose, FrameUse::kRepresented,
+                           FrameUse::kInContact, FrameUse::kExcluded,    FrameUse::kUnusable};
 /// Of several frames in one column of pixels the first of these is shown: a fault is not lost.
-constexpr std::array kShownFirst{FrameUse::kInContact, FrameUse::kUnusable, FrameUse::kRetained,
-                                 FrameUse::kRepeatsPose, FrameUse::kExcluded};
+constexpr std::array kShownFirst{FrameUse::kInContact,   FrameUse::kUnusable,
+                                 FrameUse::kRetained,    FrameUse::kExcluded,
+                                 FrameUse::kRepeatsPose, FrameUse::kRepresented};
 
 }  // namespace
 
@@ -51,6 +52,8 @@ QString FrameStrip::name_of(FrameUse use) {
       return tr("used");
     case FrameUse::kRepeatsPose:
       return tr("same pose as others");
+    case FrameUse::kRepresented:
+      return tr("represented by neighbouring frames");
     case FrameUse::kInContact:
       return tr("contact, certain or possible");
     case FrameUse::kExcluded:
@@ -65,9 +68,10 @@ QColor FrameStrip::colour_of(FrameUse use) const {
   switch (use) {
     case FrameUse::kRetained:
       return series_colour(0, palette());
-    case FrameUse::kRepeatsPose: {
+    case FrameUse::kRepeatsPose:
+    case FrameUse::kRepresented: {
       QColor pale = series_colour(0, palette());
-      pale.setAlphaF(0.35F);
+      pale.setAlphaF(use == FrameUse::kRepeatsPose ? 0.5F : 0.25F);
       return pale;
     }
     case FrameUse::kInContact:

@@ -1,5 +1,6 @@
 // What is found out about a recording, against what was put into it.
 #include "calibration/reference/make_reference.h"
+#include "calibration/reference/recording_pass.h"
 #include "calibration/reference/reference_recording.h"
 #include "core/base/atomic_file.h"
 #include "core/live/recording_feed.h"
@@ -152,18 +153,20 @@ TEST(RecordingStudy, ALosslessRecordingIsCopied) {
   EXPECT_TRUE(videos[0] == videos[1]);
 }
 
-// Followed from its first frame on, with choices that are made at its end.
-TEST(RecordingStudy, ARecordingThatIsFollowedGivesTheSameReference) {
+/// Followed from its first frame on, with choices that are made at its end. Returns the report.
+ReferenceReport expect_the_same_when_followed(int frames) {
   const MarkedFinger f = small_finger();
   std::mt19937 random(25);
-  const std::filesystem::path folder = scratch_folder("followed"), take = folder / "take.mkv";
+  const std::filesystem::path folder = scratch_folder("followed" + std::to_string(frames)),
+                              take = folder / "take.mkv";
   const auto feed = std::make_shared<RecordingFeed>(take);
   ReferenceChoices choices;
   choices.rest_frame = 7;
   choices.leave_out = {{20, 24}};
-  const auto made_in = [&](Source& source, const char* name, const ChoicesWhenRead& when_read) {
+  const auto made_in = [&](Source& source, const std::string& name,
+                           const ChoicesWhenRead& when_read) {
     Finger finger = described(f);
-    const auto into = scratch_folder(name);
+    const auto into = scratch_folder(name + std::to_string(frames));
     const auto report = install_reference(source, into, finger, Job{}, when_read);
     EXPECT_TRUE(report.ok()) << (report ? "" : report.error().sentence());
     return std::tuple(into, report.value(), finger.to_yaml().value());
@@ -178,7 +181,7 @@ TEST(RecordingStudy, ARecordingThatIsFollowedGivesTheSameReference) {
     });
   });
   std::optional<VideoWriter> writer;
-  for (int i = 0; i < 130; ++i) {
+  for (int i = 0; i < frames; ++i) {
     auto frame = std::make_shared<Frame>();
     frame->grey = f.with_noise(f.clean(loop(i, 120)), random);
     frame->time_ns = 1'000'000'000 + 33'400'000LL * i;
@@ -186,10 +189,10 @@ TEST(RecordingStudy, ARecordingThatIsFollowedGivesTheSameReference) {
       writer = VideoWriter::create(take, *frame, VideoCodec::kMagicYuv, 30).value();
       feed->begin(30, VideoCodec::kMagicYuv);
     }
-    ASSERT_TRUE(writer->add(*frame).ok());
+    EXPECT_TRUE(writer->add(*frame).ok());
     feed->add(frame);
   }
-  ASSERT_TRUE(writer->finish().ok());
+  EXPECT_TRUE(writer->finish().ok());
   is_over = true;
   feed->end(true);
   const auto [while_in, while_report, while_yaml] = following.get();
@@ -199,9 +202,29 @@ TEST(RecordingStudy, ARecordingThatIsFollowedGivesTheSameReference) {
   EXPECT_EQ(while_yaml, after_yaml);
   EXPECT_EQ(while_report.uses, after_report.uses);
   EXPECT_EQ(while_report.error_p95, after_report.error_p95);
-  EXPECT_EQ(while_report.rest_frame, 7);
+  EXPECT_EQ(while_report.frames_read, frames);
   for (const char* name : {kReferenceVideo, kReferenceTable})
     EXPECT_TRUE(read_file(while_in / name).value() == read_file(after_in / name).value()) << name;
+  return while_report;
+}
+
+TEST(RecordingStudy, ARecordingThatIsFollowedGivesTheSameReference) {
+  EXPECT_EQ(expect_the_same_when_followed(130).rest_frame, 7);
+}
+
+TEST(RecordingStudy, ALongRecordingIsThinnedWhileItRunsAsItIsFromItsFile) {
+  constexpr int kFrames = kMaxExamined + 33;
+  const ReferenceReport report = expect_the_same_when_followed(kFrames);
+  EXPECT_EQ(report.rest_frame, 6) << "the examined frame before the requested one";
+  for (int i = 0; i < kFrames; ++i) {
+    const FrameUse use = report.uses[static_cast<std::size_t>(i)];
+    if (i % 2 == 1)
+      EXPECT_EQ(use, FrameUse::kRepresented) << i;
+    else if (i >= 20 && i <= 24)
+      EXPECT_EQ(use, FrameUse::kExcluded) << i;
+    else
+      EXPECT_TRUE(use == FrameUse::kRetained || use == FrameUse::kRepeatsPose) << i;
+  }
 }
 
 TEST(RecordingStudy, BendingIsMeasuredInMillimetres) {
