@@ -383,7 +383,7 @@ Result<BallByShape> ball_by_shape(const Press& measured, const Face& face, const
     const double depth = ball_depth_mm(sample, options.along, ball.centre_mm, press.ball_radius_mm);
     if (!std::isfinite(depth) || !(disc.position_of(sample).radius <= kInnerRim)) continue;
     ball.errors_mm.push_back(sample.x - depth -
-                             blur_mm(sample, samples, line, options.along, ball.centre_mm));
+                             blur_mm(sample, samples, line.at(), options.along, ball.centre_mm));
     ball.depth_mm = std::max(ball.depth_mm, depth);
   }
   if (ball.errors_mm.empty()) return too_small;

@@ -48,8 +48,9 @@ std::vector<SkinPoint> skin_of(const PressSamples& press, const MappingCurve& cu
                                std::vector<Eigen::VectorXd>* gradients = nullptr) {
   std::vector<SkinPoint> skin;
   Eigen::VectorXd gradient(curve.family().numbers());
+  const CurveAt at = curve.at(values);
   for (const Sample& sample : press.samples) {
-    const double depth_mm = curve.evaluate(values, sample.x, sample.unit_position, gradient.data());
+    const double depth_mm = at.depth_mm(sample.x, sample.unit_position, gradient.data());
     skin.push_back({skin_line(sample, along), depth_mm});
     if (gradients != nullptr) gradients->push_back(gradient);
   }
@@ -171,7 +172,7 @@ Result<BodySamples> find_body(const std::string& press, PressSamples samples,
   BodySamples body{press, std::move(samples), {}, {}, Isometry3d::Identity()};
   if (!body.samples.samples.empty())
     select_pressed(body.samples, [&](const Sample& sample) {
-      return curve.depth_mm(sample.x, sample.unit_position);
+      return curve.at().depth_mm(sample.x, sample.unit_position);
     });
   if (body.samples.samples.size() < kFewest)
     return refused(press, en::say("the body touches too little of the face"));

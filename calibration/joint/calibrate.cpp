@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <future>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -573,11 +574,14 @@ Result<Calibration> solve_jointly(const std::vector<Press>& presses, std::vector
                  en::say("more presses of different depth, or a lower degree")};
   if (covariance.size() > 0)
     calibration.weakest = weakest_direction(fit.curve, covariance.topLeftCorner(n, n));
+  auto advice = std::async(std::launch::async, [&]() -> std::optional<PressAdvice> {
+    if (job.stop_requested()) return std::nullopt;
+    return advise(fine, fit, choice->options, face_length_mm(found));
+  });
   if (!job.stop_requested())
     calibration.radius_sensitivity = vary_radius(coarse.presses, fit, choice->options, job);
-  if (!job.stop_requested())
-    calibration.next_press = advise(fine, fit, choice->options, face_length_mm(found));
   calibration.balls = balls_of(found, *choice, fit, covariance, job);
+  calibration.next_press = advice.get();
   if (const auto impossible = beyond_layer(calibration.balls, face)) return *impossible;
   record_shapes(shapes, presses, fit.curve, choice->options.along, &calibration);
   calibration.residual_mm = mean_of(calibration.balls, &BallFit::residual_mm);

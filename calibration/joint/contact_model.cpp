@@ -97,7 +97,7 @@ double skin_depth_mm(const Sample& sample, MappingAlong along, const Eigen::Vect
   return skin.mm / per_normal;
 }
 
-double blur_mm(const Sample& sample, const PressSamples& press, const MappingCurve& curve,
+double blur_mm(const Sample& sample, const PressSamples& press, const CurveAt& curve,
                MappingAlong along, const Eigen::Vector3d& centre_mm, const PressedPlane& plane,
                double lift_mm) {
   const auto depth_of = [&](const Sample& there) {
@@ -133,7 +133,7 @@ struct Misfit {
   double blur_mm = 0;    ///< see blur_mm()
   double lifted_mm = 0;  ///< distance of the skin from the ball, outside the contact
 };
-Misfit misfit_of(const Sample& sample, const PressSamples& press, const MappingCurve& curve,
+Misfit misfit_of(const Sample& sample, const PressSamples& press, const CurveAt& curve,
                  MappingAlong along, const Eigen::Vector3d& centre_mm, const PressedPlane& plane,
                  double lift_mm) {
   const double depth =
@@ -181,6 +181,7 @@ ContactDisc::Position ContactDisc::position_of(const Sample& sample) const {
 WeightedPress weight_samples(const PressSamples& press, const JointFit& fit,
                              const Eigen::Vector3d& centre, const JointOptions& options) {
   const ContactDisc disc(press, options.along, centre);
+  const CurveAt curve = fit.curve.at();
   WeightedPress weighted;
   weighted.plane = disc.plane();
   weighted.ball_radius_mm = press.ball_radius_mm;
@@ -193,7 +194,7 @@ WeightedPress weight_samples(const PressSamples& press, const JointFit& fit,
     const double facing = facing_of(sample, options.along, centre, press.ball_radius_mm);
     if (!(facing > kGrazing)) continue;
     const Misfit misfit =
-        misfit_of(sample, press, fit.curve, options.along, centre, weighted.plane, fit.lift_mm);
+        misfit_of(sample, press, curve, options.along, centre, weighted.plane, fit.lift_mm);
     if (!std::isfinite(misfit.mm)) continue;
     const double lifted_sd = kLiftPart * misfit.lifted_mm;
     const double sd = std::hypot(misfit.slope_mm * press.x_sd, kFloorMm, lifted_sd);
@@ -222,6 +223,7 @@ WeightedPress weight_samples(const PressSamples& press, const JointFit& fit,
 FitQuality quality_of(const std::vector<const PressSamples*>& presses, const JointFit& fit,
                       const JointOptions& options) {
   FitQuality quality;
+  const CurveAt curve = fit.curve.at();
   struct Patch {
     double sum = 0, lifted = 0;
     int count = 0;
@@ -238,8 +240,8 @@ FitQuality quality_of(const std::vector<const PressSamples*>& presses, const Joi
     for (const Sample& sample : presses[i]->samples) {
       const ContactDisc::Position position = disc.position_of(sample);
       if (!(position.radius <= options.zone)) continue;
-      const Misfit misfit = misfit_of(sample, *presses[i], fit.curve, options.along,
-                                      fit.centres_mm[i], disc.plane(), fit.lift_mm);
+      const Misfit misfit = misfit_of(sample, *presses[i], curve, options.along, fit.centres_mm[i],
+                                      disc.plane(), fit.lift_mm);
       if (!std::isfinite(misfit.mm)) continue;
       absolute += std::abs(misfit.mm);
       ++count;

@@ -72,10 +72,9 @@ struct SkinDepth {
 ///   blur / 2 (laplacian d - M'' / M'^2 |gradient d|^2).
 /// Two thousandths of a millimetre in the middle of a contact become a hundredth in the scale of
 /// all depths, because the ball's centre yields. 0 where the ball's edge is near.
-[[nodiscard]] double blur_mm(const Sample& sample, const PressSamples& press,
-                             const MappingCurve& curve, MappingAlong along,
-                             const Eigen::Vector3d& centre_mm, const PressedPlane& plane = {},
-                             double lift_mm = 0.0);
+[[nodiscard]] double blur_mm(const Sample& sample, const PressSamples& press, const CurveAt& curve,
+                             MappingAlong along, const Eigen::Vector3d& centre_mm,
+                             const PressedPlane& plane = {}, double lift_mm = 0.0);
 
 /// Position of samples in the contact: 0 at its middle, 1 at the rim of the ball's cap, where the
 /// skin would leave the ball without lift-off.

@@ -25,6 +25,7 @@ bool PressCost::Evaluate(double const* const* parameters, double* residuals,
   const Eigen::Vector3d centre(parameters[0]);
   const int n = curve_.family().numbers();
   const double lift_mm = lifts_off_ ? std::exp(parameters[2][0]) : 0.0;
+  const CurveAt curve = curve_.at(parameters[1]);
   std::array<double, 16> by_values{};
   for (std::size_t i = 0; i < weighted_.samples.size(); ++i) {
     const Sample& sample = *weighted_.samples[i];
@@ -35,9 +36,8 @@ bool PressCost::Evaluate(double const* const* parameters, double* residuals,
                                        weighted_.plane, lift_mm, &by_centre, &by_lift);
     if (!std::isfinite(depth)) return false;
     const bool needs_values = jacobians != nullptr && jacobians[1] != nullptr;
-    const auto [x, slope_mm] =
-        curve_.inverse(parameters[1], depth + weighted_.blur_mm[i], sample.unit_position, sample.x,
-                       needs_values ? by_values.data() : nullptr);
+    const auto [x, slope_mm] = curve.inverse(depth + weighted_.blur_mm[i], sample.unit_position,
+                                             sample.x, needs_values ? by_values.data() : nullptr);
     if (!std::isfinite(x)) return false;
     residuals[i] = weight * (sample.x - x);
     if (jacobians == nullptr) continue;

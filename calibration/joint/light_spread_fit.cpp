@@ -2,6 +2,7 @@
 
 #include "calibration/joint/known_shape.h"
 #include "calibration/joint/spread_solver.h"
+#include "core/numerics/parallel.h"
 #include "core/sensing/depth/light_spread.h"
 
 #include <algorithm>
@@ -48,14 +49,26 @@ std::optional<FittedHypothesis> best_fit(const SpreadModel& model, Hypothesis hy
   return FittedHypothesis{hypothesis, *best, solver.evaluate(*best)};
 }
 
+/// For each bed.
+using FitOfBeds = std::array<std::optional<FittedHypothesis>, kBeds.size()>;
+
+FitOfBeds best_fits(const SpreadModel& model, SeenAt seen, const Job& job) {
+  FitOfBeds fits;
+  parallel_for(static_cast<int>(kBeds.size()), default_threads(), [&](int first, int last) {
+    for (int i = first; i < last; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      fits[k] = best_fit(model, {seen, kBeds[k]}, job);
+    }
+  });
+  return fits;
+}
+
 /// nullopt: no fit, or the job was stopped.
 std::optional<FittedHypothesis> best_spread(const SpreadModel& model, const Job& job) {
   std::optional<FittedHypothesis> best;
-  for (const Bed bed : kBeds) {
-    auto fitted = best_fit(model, {SeenAt::kSpread, bed}, job);
-    if (job.stop_requested()) return std::nullopt;
+  for (auto& fitted : best_fits(model, SeenAt::kSpread, job))
     if (fitted && (!best || fitted->normal.cost < best->normal.cost)) best = std::move(fitted);
-  }
+  if (job.stop_requested()) return std::nullopt;
   return best;
 }
 
@@ -116,8 +129,7 @@ Evidence evidence_of(const SpreadModel& model, const FittedHypothesis& spread, c
   Evidence least;
   for (const SeenAt seen :
        {SeenAt::kNormal, SeenAt::kZ, SeenAt::kSight, SeenAt::kOuterZ, SeenAt::kOuterSight})
-    for (const Bed bed : kBeds) {
-      const auto local = best_fit(model, {seen, bed}, job);
+    for (const auto& local : best_fits(model, seen, job)) {
       if (!local) continue;
       const Evidence against = evidence_against(model, local->normal, spread.normal);
       if (against.log_ratio < least.log_ratio) least = against;

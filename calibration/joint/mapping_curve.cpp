@@ -4,89 +4,106 @@
 #include <cmath>
 #include <limits>
 
-#include <ceres/jet.h>
-
 namespace alltact {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kSmall = 1e-3;  // below, three terms of a series are exact to 1e-13
+constexpr double kSmall = 1e-3;  // below, four terms of a series are exact to 1e-13
 
-double scalar_of(double value) { return value; }
-template <class T, int N>
-double scalar_of(const ceres::Jet<T, N>& value) {
-  return value.a;
+/// tanh(sqrt z) / sqrt z, smooth through zero; below it the circular function.
+double tanh_root(double z) {
+  if (std::abs(z) < kSmall)
+    return 1.0 - z * (1.0 / 3.0 - z * (2.0 / 15.0 - z * (17.0 / 315.0 - z * (62.0 / 2835.0))));
+  const double root = std::sqrt(std::abs(z));
+  return (z > 0.0 ? std::tanh(root) : std::tan(root)) / root;
 }
 
-/// cosh(sqrt z), sinh(sqrt z) / sqrt z and atanh(sqrt z) / sqrt z. They are smooth through zero;
-/// below it they are the circular functions.
-template <class T>
-T cosh_root(const T& z) {
-  using std::cos, std::cosh, std::sqrt;
-  if (std::abs(scalar_of(z)) < kSmall)
-    return 1.0 + z * (0.5 + z * (1.0 / 24.0 + z * (1.0 / 720.0)));
-  return scalar_of(z) > 0.0 ? cosh(sqrt(z)) : cos(sqrt(-z));
-}
-template <class T>
-T sinh_root(const T& z) {
-  using std::sin, std::sinh, std::sqrt;
-  if (std::abs(scalar_of(z)) < kSmall)
-    return 1.0 + z * (1.0 / 6.0 + z * (1.0 / 120.0 + z * (1.0 / 5040.0)));
-  if (scalar_of(z) > 0.0) return sinh(sqrt(z)) / sqrt(z);
-  return sin(sqrt(-z)) / sqrt(-z);
-}
-template <class T>
-T atanh_root(const T& z) {
-  using std::atan, std::log, std::sqrt;
-  if (std::abs(scalar_of(z)) < kSmall)
+/// atanh(sqrt z) / sqrt z for z < 1, likewise.
+double atanh_root(double z) {
+  if (std::abs(z) < kSmall)
     return 1.0 + z * (1.0 / 3.0 + z * (0.2 + z * (1.0 / 7.0 + z * (1.0 / 9.0))));
-  if (scalar_of(z) < 0.0) {
-    const T root = sqrt(-z);
-    return T(2.0) * atan(root / (1.0 + sqrt(1.0 - z))) / root;
-  }
-  const T root = sqrt(z);
-  return 0.5 * log((1.0 + root) / (1.0 - root)) / root;
+  const double root = std::sqrt(std::abs(z));
+  return (z > 0.0 ? std::atanh(root) : std::atan(root)) / root;
 }
 
-/// A Kubelka-Munk layer over black, of thickness `thickness_mm` when untouched. s is its
-/// scattering, k absorption over scattering, A = 1 + k, B^2 = k (k + 2) and t the remaining
-/// fraction of the layer: R(t) = sinh(B s t) / (A sinh(B s t) + B cosh(B s t)) and x = 1 - R(t) /
-/// R(1).
-template <class T>
-struct AbsorbingLayer {
-  T thickness_mm, s, a, b2, full;  // R(1) / s
-
-  AbsorbingLayer(const T& slope_mm, const T& scattering, const T& absorption)
-      : thickness_mm(slope_mm / (1.0 + scattering)),
-        s(scattering),
-        a(1.0 + absorption),
-        b2(absorption * (absorption + 2.0)),
-        full(part(T(1.0))) {}
-  /// R(t) / s
-  T part(const T& t) const {
-    const T z = b2 * s * s * t * t;
-    const T sinh = t * sinh_root(z);
-    return sinh / (a * s * sinh + cosh_root(z));
-  }
-  [[nodiscard]] bool is_possible() const {
-    const double scattering = scalar_of(s), r = scalar_of(full);
-    return scalar_of(thickness_mm) > 0.0 && scattering > -0.9 && scalar_of(a) > 0.5 &&
-           scalar_of(a) < 4.0 && r > 0.0 && scalar_of(a) * scattering * r < 1.0;
-  }
-  T depth_mm(const T& x) const {
-    const T u = (1.0 - x) * full;
-    const T n = u / (1.0 - a * s * u);
-    const T z = b2 * s * s * n * n;
-    if (!(scalar_of(z) < 1.0)) return T(kNaN);
-    return thickness_mm * (1.0 - n * atanh_root(z));
-  }
-  T slope_mm(const T& x) const {
-    const T u = (1.0 - x) * full;
-    return thickness_mm * full / (1.0 - 2.0 * a * s * u + s * s * u * u);
-  }
-};
+/// Derivative of atanh_root(z) by z.
+double atanh_root_slope(double z, double value) {
+  if (std::abs(z) < kSmall)
+    return 1.0 / 3.0 + z * (0.4 + z * (3.0 / 7.0 + z * (4.0 / 9.0 + z * (5.0 / 11.0))));
+  return (1.0 / (1.0 - z) - value) / (2.0 * z);
+}
 
 }  // namespace
+
+CurveAt::AbsorbingLayer::AbsorbingLayer(const double* values)
+    : thickness_mm(values[0] / (1.0 + values[1])),
+      s(values[1]),
+      a(1.0 + values[2]),
+      b2(values[2] * (values[2] + 2.0)) {
+  // R(1) / s = h / (1 + a s h) with h = tanh(B s) / (B s), and dh/dz = (1 - h - z h^2) / (2 z).
+  const double z = b2 * s * s, h = tanh_root(z);
+  const double h_by_z =
+      std::abs(z) < kSmall ? -1.0 / 3.0 + z * (4.0 / 15.0 - z * (17.0 / 105.0 - z * 248.0 / 2835.0))
+                           : (1.0 - h - z * h * h) / (2.0 * z);
+  const double below = 1.0 + a * s * h;
+  full = h / below;
+  full_by_s = (h_by_z * 2.0 * b2 * s - a * h * h) / (below * below);
+  full_by_k = (h_by_z * 2.0 * a * s * s - s * h * h) / (below * below);
+  // slope at zero = thickness full / q
+  const double q = 1.0 - 2.0 * a * s * full + s * s * full * full;
+  const double q_by_full = 2.0 * s * (s * full - a);
+  zero_slope_mm = thickness_mm * full / q;
+  const double by_full = thickness_mm / q - zero_slope_mm / q * q_by_full;
+  zero_slope_by_values << full / (q * (1.0 + s)),
+      -zero_slope_mm / (1.0 + s) + by_full * full_by_s -
+          zero_slope_mm / q * (2.0 * s * full * full - 2.0 * a * full),
+      by_full * full_by_k + zero_slope_mm / q * 2.0 * s * full;
+}
+
+bool CurveAt::AbsorbingLayer::is_possible() const {
+  return thickness_mm > 0.0 && s > -0.9 && a > 0.5 && a < 4.0 && full > 0.0 && a * s * full < 1.0;
+}
+
+double CurveAt::AbsorbingLayer::depth_mm(double x, double* gradient) const {
+  if (!is_possible()) return kNaN;
+  if (!(x > 0.0)) {
+    if (gradient != nullptr) Eigen::Map<Eigen::Vector3d>(gradient, 3) = zero_slope_by_values * x;
+    return zero_slope_mm * x;
+  }
+  const double u = (1.0 - x) * full, below = 1.0 - a * s * u;
+  const double n = u / below;
+  const double z = b2 * s * s * n * n;
+  if (!(z < 1.0)) return kNaN;
+  const double root = atanh_root(z), left = n * root;  // of the layer
+  const double depth = thickness_mm * (1.0 - left);
+  if (gradient == nullptr) return depth;
+  const double left_by_n = 1.0 / (1.0 - z), left_by_z = n * atanh_root_slope(z, root);
+  const double n_by_u = 1.0 / (below * below);
+  const double n_by_s = n_by_u * ((1.0 - x) * full_by_s + a * u * u);
+  const double n_by_k = n_by_u * ((1.0 - x) * full_by_k + s * u * u);
+  const double z_by_s = 2.0 * b2 * s * n * n, z_by_k = 2.0 * a * s * s * n * n;
+  gradient[0] = (1.0 - left) / (1.0 + s);
+  gradient[1] = -depth / (1.0 + s) - thickness_mm * (left_by_n * n_by_s + left_by_z * z_by_s);
+  gradient[2] = -thickness_mm * (left_by_n * n_by_k + left_by_z * z_by_k);
+  return depth;
+}
+
+double CurveAt::AbsorbingLayer::slope_mm(double x) const {
+  const double u = (1.0 - x) * full;
+  return thickness_mm * full / (1.0 - 2.0 * a * s * u + s * s * u * u);
+}
+
+double CurveAt::AbsorbingLayer::inverse(double depth_mm) const {
+  const double left = 1.0 - depth_mm / thickness_mm;
+  if (!is_possible() || !(left > 0.0)) return kNaN;
+  const double h = left * tanh_root(b2 * s * s * left * left);
+  return 1.0 - h / ((a * s * h + 1.0) * full);
+}
+
+CurveAt::CurveAt(CurveFamily family, double x_max, const double* values)
+    : family_(family), x_max_(x_max), values_(values) {
+  if (family.absorbs()) layer_.emplace(values);
+}
 
 Message CurveFamily::name() const {
   const Message curve = kind != MappingKind::kMoebius
@@ -96,11 +113,10 @@ Message CurveFamily::name() const {
   return varies ? en::say("{} that varies over the face", curve) : curve;
 }
 
-double MappingCurve::evaluate(const double* values, double x, const Eigen::Vector2d& unit_position,
-                              double* gradient) const {
-  const double depth = curve(values, x, gradient);
+double CurveAt::depth_mm(double x, const Eigen::Vector2d& unit_position, double* gradient) const {
+  const double depth = curve(x, gradient);
   if (!family_.varies) return depth;
-  const double* part = values + family_.coefficients;
+  const double* part = values_ + family_.coefficients;
   const double factor = 1.0 + part[0] * unit_position.x() + part[1] * unit_position.y();
   if (gradient != nullptr) {
     for (int k = 0; k < family_.coefficients; ++k) gradient[k] *= factor;
@@ -110,31 +126,24 @@ double MappingCurve::evaluate(const double* values, double x, const Eigen::Vecto
   return depth * factor;
 }
 
-double MappingCurve::curve(const double* values, double x, double* gradient) const {
+double CurveAt::curve(double x, double* gradient) const {
+  if (layer_) return layer_->depth_mm(x, gradient);
   const double at = std::max(x, 0.0);  // below zero: slope at zero times x
-  if (family_.absorbs()) {
-    using Jet = ceres::Jet<double, 3>;
-    const AbsorbingLayer<Jet> layer(Jet(values[0], 0), Jet(values[1], 1), Jet(values[2], 2));
-    if (!layer.is_possible()) return kNaN;
-    const Jet depth = x > 0.0 ? layer.depth_mm(Jet(x)) : layer.slope_mm(Jet(0.0)) * x;
-    if (gradient != nullptr) std::copy_n(depth.v.data(), 3, gradient);
-    return depth.a;
-  }
   if (family_.kind == MappingKind::kMoebius) {
-    const double below = 1.0 + values[1] * at;
+    const double below = 1.0 + values_[1] * at;
     if (!(below > 1e-3)) return kNaN;
     if (gradient != nullptr) {
       gradient[0] = x / below;
-      gradient[1] = -values[0] * x * at / (below * below);
+      gradient[1] = -values_[0] * x * at / (below * below);
     }
-    return values[0] * x / below;
+    return values_[0] * x / below;
   }
   const double t = 2.0 * at / x_max_ - 1.0;
   double before = 0.0;
   double now = 1.0;
   double sum = 0.0;
   for (int k = 0; k < family_.coefficients; ++k) {
-    sum += values[k] * now;
+    sum += values_[k] * now;
     if (gradient != nullptr) gradient[k] = x * now;
     const double next = k == 0 ? t : 2.0 * t * now - before;
     before = now;
@@ -143,55 +152,51 @@ double MappingCurve::curve(const double* values, double x, double* gradient) con
   return x * sum;
 }
 
-MappingCurve::Inverse MappingCurve::inverse(const double* values, double depth_mm,
-                                            const Eigen::Vector2d& unit_position, double near,
-                                            double* gradient) const {
-  const double* part = values + family_.coefficients;
+CurveAt::Inverse CurveAt::inverse(double depth_mm, const Eigen::Vector2d& unit_position,
+                                  double near, double* gradient) const {
+  const double* part = values_ + family_.coefficients;
   const double factor =
       family_.varies ? 1.0 + part[0] * unit_position.x() + part[1] * unit_position.y() : 1.0;
   const double depth = depth_mm / factor;
   double x = kNaN;
   if (!(depth > 0.0)) {
-    x = depth / slope(values, 0.0);
-  } else if (family_.absorbs()) {
-    const AbsorbingLayer<double> layer(values[0], values[1], values[2]);
-    const double left = 1.0 - depth / layer.thickness_mm;
-    if (layer.is_possible() && left > 0.0) x = 1.0 - layer.part(left) / layer.full;
+    x = depth / slope_mm(0.0);
+  } else if (layer_) {
+    x = layer_->inverse(depth);
   } else if (family_.kind == MappingKind::kMoebius) {
-    const double below = values[0] - values[1] * depth;
-    if (below > 1e-3 * values[0]) x = depth / below;
+    const double below = values_[0] - values_[1] * depth;
+    if (below > 1e-3 * values_[0]) x = depth / below;
   } else {
-    x = polynomial_inverse(values, depth, near);
+    x = polynomial_inverse(depth, near);
   }
-  const Inverse found{x, factor * slope(values, x)};
+  const Inverse found{x, factor * slope_mm(x)};
   if (gradient != nullptr) {
-    if (!std::isfinite(evaluate(values, x, unit_position, gradient))) return {kNaN, kNaN};
+    if (!std::isfinite(this->depth_mm(x, unit_position, gradient))) return {kNaN, kNaN};
     for (int k = 0; k < family_.numbers(); ++k) gradient[k] /= -found.slope_mm;
   }
   if (!std::isfinite(found.x) || !(found.slope_mm > 0.0)) return {kNaN, kNaN};
   return found;
 }
 
-double MappingCurve::polynomial_inverse(const double* values, double depth, double near) const {
+double CurveAt::polynomial_inverse(double depth, double near) const {
   constexpr int kMaxSteps = 40;
   double x = std::clamp(near, 0.0, x_max_);
   for (int i = 0; i < kMaxSteps; ++i) {
-    const double rise = slope(values, x);
+    const double rise = slope_mm(x);
     if (!(rise > 0.0)) return kNaN;
-    const double step = std::clamp((depth - curve(values, x, nullptr)) / rise, -0.5, 0.5);
+    const double step = std::clamp((depth - curve(x, nullptr)) / rise, -0.5, 0.5);
     x = std::max(x + step, 0.0);
     if (std::abs(step) < 1e-13) return x;
   }
   return kNaN;
 }
 
-double MappingCurve::slope(const double* values, double x) const {
+double CurveAt::slope_mm(double x) const {
   const double at = std::max(x, 0.0);
-  if (family_.absorbs())
-    return AbsorbingLayer<double>(values[0], values[1], values[2]).slope_mm(at);
+  if (layer_) return layer_->slope_mm(at);
   if (family_.kind == MappingKind::kMoebius) {
-    const double below = 1.0 + values[1] * at;
-    return values[0] / (below * below);
+    const double below = 1.0 + values_[1] * at;
+    return values_[0] / (below * below);
   }
   // d/dx of x p(t): p + x p' 2 / x_max, with T_k' = k U_{k-1}.
   const double t = 2.0 * at / x_max_ - 1.0;
@@ -199,9 +204,9 @@ double MappingCurve::slope(const double* values, double x) const {
   double u_before = 0.0, u_now = 1.0;  // U_{k-2}, U_{k-1} once k >= 1
   double sum = 0.0, derivative = 0.0;
   for (int k = 0; k < family_.coefficients; ++k) {
-    sum += values[k] * now;
+    sum += values_[k] * now;
     if (k >= 1) {
-      derivative += values[k] * k * u_now;
+      derivative += values_[k] * k * u_now;
       const double u_next = 2.0 * t * u_now - u_before;
       u_before = u_now;
       u_now = u_next;

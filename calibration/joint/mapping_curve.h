@@ -5,6 +5,8 @@
 #include "core/base/message.h"
 #include "core/finger/mapping.h"
 
+#include <optional>
+
 #include <Eigen/Core>
 
 namespace alltact {
@@ -23,9 +25,62 @@ struct CurveFamily {
   bool operator==(const CurveFamily&) const = default;
 };
 
-/// d = M(x) (1 + part . p) with M(0) = 0. p is the unit position, from -1 to 1 along and across the
-/// area of the face with presses. Below zero M continues as a straight line, so that a bulge next
-/// to the contact counts as skin above the ball.
+/// A curve at given values, prepared for many x: d = M(x) (1 + part . p) with M(0) = 0. p is the
+/// unit position, from -1 to 1 along and across the area of the face with presses. Below zero M
+/// continues as a straight line, so that a bulge next to the contact counts as skin above the ball.
+class CurveAt {
+ public:
+  /// `values`: as MappingCurve::values(); they must outlive this.
+  CurveAt(CurveFamily family, double x_max, const double* values);
+
+  [[nodiscard]] double x_max() const { return x_max_; }
+
+  /// NaN beyond the pole of a Moebius curve. `gradient` (by the values, may be null) has numbers()
+  /// entries.
+  [[nodiscard]] double depth_mm(double x, const Eigen::Vector2d& unit_position,
+                                double* gradient = nullptr) const;
+  /// In the middle of the face.
+  [[nodiscard]] double slope_mm(double x) const;
+
+  /// The difference x at which the mapping gives a depth, and the slope there.
+  struct Inverse {
+    double x = 0;         ///< NaN where no x gives the depth
+    double slope_mm = 0;  ///< dM/dx there
+  };
+  /// `near`: where the search starts. `gradient` (dx by the values, may be null) has numbers()
+  /// entries.
+  [[nodiscard]] Inverse inverse(double depth_mm, const Eigen::Vector2d& unit_position, double near,
+                                double* gradient = nullptr) const;
+
+ private:
+  /// A Kubelka-Munk layer over black, of thickness `thickness_mm` when untouched. s is its
+  /// scattering, k absorption over scattering, A = 1 + k, B^2 = k (k + 2) and t the remaining
+  /// fraction of the layer: R(t) = sinh(B s t) / (A sinh(B s t) + B cosh(B s t)) and
+  /// x = 1 - R(t) / R(1). Derivatives are by the values (slope at zero without absorption, s, k).
+  struct AbsorbingLayer {
+    double thickness_mm = 0, s = 0, a = 1, b2 = 0;
+    double full = 0;  // R(1) / s
+    double full_by_s = 0, full_by_k = 0;
+    double zero_slope_mm = 0;  // d by x at x = 0
+    Eigen::Vector3d zero_slope_by_values = Eigen::Vector3d::Zero();
+
+    explicit AbsorbingLayer(const double* values);
+    [[nodiscard]] bool is_possible() const;
+    [[nodiscard]] double depth_mm(double x, double* gradient) const;
+    [[nodiscard]] double slope_mm(double x) const;
+    [[nodiscard]] double inverse(double depth_mm) const;
+  };
+
+  double curve(double x, double* gradient) const;
+  [[nodiscard]] double polynomial_inverse(double depth, double near) const;
+
+  CurveFamily family_;
+  double x_max_;
+  const double* values_;
+  std::optional<AbsorbingLayer> layer_;
+};
+
+/// A curve and its values.
 class MappingCurve {
  public:
   MappingCurve(CurveFamily family, double x_max)
@@ -43,42 +98,17 @@ class MappingCurve {
     values_[0] = slope_mm;
   }
 
-  /// In the middle of the face. NaN beyond the pole of a Moebius curve. `gradient` (by values(),
-  /// may be null) has numbers() entries.
+  /// At these values, or at others stored elsewhere (in a solver).
+  [[nodiscard]] CurveAt at() const { return at(values_.data()); }
+  [[nodiscard]] CurveAt at(const double* values) const { return {family_, x_max_, values}; }
+
+  /// In the middle of the face; see CurveAt.
   [[nodiscard]] double depth_mm(double x, double* gradient = nullptr) const {
-    return depth_mm(x, Eigen::Vector2d::Zero(), gradient);
+    return at().depth_mm(x, Eigen::Vector2d::Zero(), gradient);
   }
-  [[nodiscard]] double depth_mm(double x, const Eigen::Vector2d& unit_position,
-                                double* gradient = nullptr) const {
-    return evaluate(values_.data(), x, unit_position, gradient);
-  }
-  /// In the middle of the face.
-  [[nodiscard]] double slope_mm(double x) const { return slope(values_.data(), x); }
-
-  /// The same for values stored elsewhere (in a solver).
-  [[nodiscard]] double evaluate(const double* values, double x,
-                                const Eigen::Vector2d& unit_position, double* gradient) const;
-
-  /// The difference x at which the mapping gives a depth, and the slope there.
-  struct Inverse {
-    double x = 0;         ///< NaN where no x gives the depth
-    double slope_mm = 0;  ///< dM/dx there
-  };
-  /// `near`: where the search starts. `gradient` (dx by the values, may be null) has numbers()
-  /// entries.
-  [[nodiscard]] Inverse inverse(const double* values, double depth_mm,
-                                const Eigen::Vector2d& unit_position, double near,
-                                double* gradient = nullptr) const;
-  [[nodiscard]] Inverse inverse(double depth_mm, const Eigen::Vector2d& unit_position,
-                                double near) const {
-    return inverse(values_.data(), depth_mm, unit_position, near);
-  }
+  [[nodiscard]] double slope_mm(double x) const { return at().slope_mm(x); }
 
  private:
-  double curve(const double* values, double x, double* gradient) const;
-  [[nodiscard]] double slope(const double* values, double x) const;
-  [[nodiscard]] double polynomial_inverse(const double* values, double depth, double near) const;
-
   CurveFamily family_;
   double x_max_;
   Eigen::VectorXd values_;

@@ -4,6 +4,7 @@
 #include "calibration/verdict/verdict.h"
 #include "core/base/job.h"
 #include "core/base/message.h"
+#include "core/numerics/parallel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -82,9 +83,9 @@ std::vector<double> hold_out(const ChoiceInput& input, const JointFit& all,
   const std::vector<int> positions = positions_of(input, all);
   const int count =
       positions.empty() ? 0 : 1 + *std::max_element(positions.begin(), positions.end());
-  std::vector<MappingCurve> curves;  // one for each position
+  std::vector<MappingCurve> curves(static_cast<std::size_t>(count), all.curve);  // by position
   std::vector<double> errors_mm(input.presses.size(), -1.0);
-  for (int left = 0; left < count && !job.stop_requested(); ++left) {
+  const auto leave_out = [&](int left) {
     std::vector<const PressSamples*> others;
     JointFit fit{all.curve, {}, false, all.lift_mm};
     for (std::size_t i = 0; i < input.presses.size(); ++i) {
@@ -99,8 +100,11 @@ std::vector<double> hold_out(const ChoiceInput& input, const JointFit& all,
         errors_mm[i] = is_good
                            ? error_of_press(*input.presses[i], fit, all.centres_mm[i], options, job)
                            : std::numeric_limits<double>::infinity();
-    curves.push_back(std::move(fit.curve));
-  }
+    curves[static_cast<std::size_t>(left)] = std::move(fit.curve);
+  };
+  parallel_for(count, default_threads(), [&](int first, int last) {
+    for (int left = first; left < last && !job.stop_requested(); ++left) leave_out(left);
+  });
   if (spread_mm != nullptr) *spread_mm = spread_of(curves);
   // stopped before the others
   errors_mm.erase(std::find_if(errors_mm.begin(), errors_mm.end(), [](double e) { return e < 0; }),

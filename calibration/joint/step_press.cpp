@@ -214,7 +214,7 @@ StepReading read_step(const StepSamples& step, const MappingCurve& curve, const 
   for (Eigen::Index i = 0; i < count; ++i) {
     const Sample& sample = samples[static_cast<std::size_t>(i)];
     Eigen::VectorXd gradient(numbers);
-    const double depth = curve.evaluate(values, sample.x, sample.unit_position, gradient.data());
+    const double depth = curve.at(values).depth_mm(sample.x, sample.unit_position, gradient.data());
     const bool is_normal = along == MappingAlong::kNormal;
     Eigen::Vector3d direction = is_normal ? sample.normal : Eigen::Vector3d::UnitZ();
     if (along == MappingAlong::kProjected) direction /= sample.cos_incline;

@@ -47,7 +47,7 @@ std::optional<PressResiduals> residuals_of(const Press& press, const Face& face,
     const double factor = mapping.parameters().variation.at(sample.position_mm);
     result.samples.push_back({sample.pixel, sample.x, depth,
                               factor * mapping.depth_mm(sample.x) - depth -
-                                  blur_mm(sample, around, curve, along, ball.centre_mm),
+                                  blur_mm(sample, around, curve.at(), along, ball.centre_mm),
                               sample.position_mm.x(), sample.position_mm.y(), rim, factor});
     if (rim < nearest_rim) nearest_rim = rim, nearest = &sample;
   }

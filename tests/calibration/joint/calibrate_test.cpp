@@ -352,7 +352,7 @@ TEST(JointFit, DerivativesAgreeWithDifferences) {
       for (double& value : curve.values()) value = 1.0 + 0.5 * uniform(random);
       const double x = 0.1 + 0.4 * std::abs(uniform(random));
       std::vector<double> gradient(static_cast<std::size_t>(family.numbers()));
-      EXPECT_TRUE(std::isfinite(curve.depth_mm(x, place, gradient.data())));
+      EXPECT_TRUE(std::isfinite(curve.at().depth_mm(x, place, gradient.data())));
       constexpr double kStep = 1e-6;
       EXPECT_NEAR(curve.slope_mm(x),
                   (curve.depth_mm(x + kStep) - curve.depth_mm(x - kStep)) / (2.0 * kStep), 1e-7);
@@ -361,7 +361,8 @@ TEST(JointFit, DerivativesAgreeWithDifferences) {
         up.values()[k] += kStep;
         down.values()[k] -= kStep;
         EXPECT_NEAR(gradient[static_cast<std::size_t>(k)],
-                    (up.depth_mm(x, place) - down.depth_mm(x, place)) / (2.0 * kStep), 1e-7);
+                    (up.at().depth_mm(x, place) - down.at().depth_mm(x, place)) / (2.0 * kStep),
+                    1e-7);
       }
     }
   }

@@ -35,7 +35,7 @@ TEST(MappingCurve, OfALayerIsThatOfKubelkaAndMunk) {
       for (double depth = 0.05; depth < 1.21; depth += 0.05) {
         const double x = layer.difference_at(depth);
         EXPECT_NEAR(curve.depth_mm(x), depth, 1e-6) << s << ' ' << k;
-        EXPECT_NEAR(curve.inverse(depth, {0, 0}, 0.0).x, x, 1e-6) << s << ' ' << k;
+        EXPECT_NEAR(curve.at().inverse(depth, {0, 0}, 0.0).x, x, 1e-6) << s << ' ' << k;
       }
     }
 }
@@ -64,23 +64,23 @@ TEST(MappingCurve, IsTurnedRoundWithItsDerivatives) {
       curve.values()[0] = 2.0 + 0.5 * uniform(random);
       curve.values()[1] = 0.5 + 0.3 * uniform(random);
       const Eigen::Vector2d place(uniform(random), uniform(random));
-      const double x = 0.3 + 0.29 * uniform(random), depth = curve.depth_mm(x, place);
+      const double x = 0.3 + 0.29 * uniform(random), depth = curve.at().depth_mm(x, place);
       Eigen::VectorXd gradient(family.numbers());
-      const auto found = curve.inverse(curve.values().data(), depth, place, 0.3, gradient.data());
+      const auto found = curve.at().inverse(depth, place, 0.3, gradient.data());
       EXPECT_NEAR(found.x, x, 1e-10);
       constexpr double kStep = 1e-6;
-      EXPECT_NEAR(
-          found.slope_mm,
-          (curve.depth_mm(x + kStep, place) - curve.depth_mm(x - kStep, place)) / (2.0 * kStep),
-          1e-6);
+      EXPECT_NEAR(found.slope_mm,
+                  (curve.at().depth_mm(x + kStep, place) - curve.at().depth_mm(x - kStep, place)) /
+                      (2.0 * kStep),
+                  1e-6);
       for (int k = 0; k < family.numbers(); ++k) {
         MappingCurve up = curve, down = curve;
         up.values()[k] += kStep;
         down.values()[k] -= kStep;
-        EXPECT_NEAR(
-            gradient[k],
-            (up.inverse(depth, place, x).x - down.inverse(depth, place, x).x) / (2.0 * kStep),
-            1e-6);
+        EXPECT_NEAR(gradient[k],
+                    (up.at().inverse(depth, place, x).x - down.at().inverse(depth, place, x).x) /
+                        (2.0 * kStep),
+                    1e-6);
       }
     }
 }
