@@ -5095,13 +5095,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         </translation>
     </message>
     <message numerus="yes">
-        <source>Installed: %1 of %n frame(s) are in the reference.</source>
-        <translation>
-            <numerusform>Eingerichtet: %1 von %n Bild ist in der Referenz.</numerusform>
-            <numerusform>Eingerichtet: %1 von %n Bildern sind in der Referenz.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n frame(s) of this recording are lost.</source>
         <translation>
             <numerusform>%n Bild dieser Aufnahme ist verloren.</numerusform>
@@ -5127,17 +5120,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>Start &amp;recording</source>
         <translation>Aufnahme &amp;starten</translation>
-    </message>
-    <message>
-        <source>Remaining error: half of the references made from it are off by less than %1 mm, 95 % by less than %2 mm.</source>
-        <translation>Restfehler: Die Hälfte der daraus gebildeten Referenzen weicht um weniger als %1 mm ab, 95 % um weniger als %2 mm.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n frame(s) repeated a pose of other frames.</source>
-        <translation>
-            <numerusform>%n Bild wiederholte eine Haltung anderer Bilder.</numerusform>
-            <numerusform>%n Bilder wiederholten eine Haltung anderer Bilder.</numerusform>
-        </translation>
     </message>
     <message>
         <source>It is unknown whether something touches the contact face.</source>
@@ -5248,10 +5230,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>&amp;Go to Calibrate</source>
         <translation>&amp;Weiter zu Kalibrieren</translation>
     </message>
-    <message>
-        <source>The finger is being loaded with its new reference.</source>
-        <translation>Der Finger wird mit seiner neuen Referenz geladen.</translation>
-    </message>
     <message numerus="yes">
         <source>room for about %n minute(s)</source>
         <translation>
@@ -5266,6 +5244,14 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>Install an e&amp;xisting video…</source>
         <translation>Vorhandenes &amp;Video einrichten…</translation>
+    </message>
+    <message>
+        <source>Installed.</source>
+        <translation>Installiert.</translation>
+    </message>
+    <message>
+        <source>Installed; the finger is being loaded with it.</source>
+        <translation>Installiert; der Finger wird damit geladen.</translation>
     </message>
 </context>
 <context>

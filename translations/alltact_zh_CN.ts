@@ -5059,12 +5059,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         </translation>
     </message>
     <message numerus="yes">
-        <source>Installed: %1 of %n frame(s) are in the reference.</source>
-        <translation>
-            <numerusform>已设为参考：%n 帧中采用了 %1 帧。</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n frame(s) of this recording are lost.</source>
         <translation>
             <numerusform>本次录制丢失了 %n 帧。</numerusform>
@@ -5089,16 +5083,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>Start &amp;recording</source>
         <translation>开始录制(&amp;R)</translation>
-    </message>
-    <message>
-        <source>Remaining error: half of the references made from it are off by less than %1 mm, 95 % by less than %2 mm.</source>
-        <translation>剩余误差：由此得到的参考，一半偏差小于 %1 mm，95 % 小于 %2 mm。</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n frame(s) repeated a pose of other frames.</source>
-        <translation>
-            <numerusform>有 %n 帧重复了其他帧的姿态。</numerusform>
-        </translation>
     </message>
     <message>
         <source>It is unknown whether something touches the contact face.</source>
@@ -5206,10 +5190,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>&amp;Go to Calibrate</source>
         <translation>前往“标定”(&amp;G)</translation>
     </message>
-    <message>
-        <source>The finger is being loaded with its new reference.</source>
-        <translation>正在用新参考加载手指。</translation>
-    </message>
     <message numerus="yes">
         <source>room for about %n minute(s)</source>
         <translation>
@@ -5223,6 +5203,14 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>Install an e&amp;xisting video…</source>
         <translation>将已有视频设为参考(&amp;X)…</translation>
+    </message>
+    <message>
+        <source>Installed.</source>
+        <translation>已安装。</translation>
+    </message>
+    <message>
+        <source>Installed; the finger is being loaded with it.</source>
+        <translation>已安装；正在用它加载手指。</translation>
     </message>
 </context>
 <context>

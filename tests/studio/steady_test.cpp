@@ -199,6 +199,41 @@ TEST(Steady, RecordingMovesNothing) {
   controls.expect_unmoved("it is saved for later");
 }
 
+TEST(Steady, JudgingAndInstallingMoveNothing) {
+  const TemporaryFolder folder;
+  std::filesystem::copy(MadeFingers::get().described(), folder / "finger",
+                        std::filesystem::copy_options::recursive);
+  StudioOptions options;
+  options.finger = folder / "finger";
+  options.source = {MadeFingers::get().bending()};
+  Studio studio(options);
+  ASSERT_TRUE(studio.wait_for_picture());
+  studio.window().go_to("record");
+  ASSERT_TRUE(wait_until([&] { return says(studio, "Space left"); }));
+  studio.find<QLineEdit>("Recording file")
+      ->setText(QString::fromStdString((studio.folder() / "a.mkv").string()));
+  studio.click("Start recording");
+  const auto& recording = studio.session().status().recording;
+  ASSERT_TRUE(wait_until([&] { return recording.counts.recorded > 30; }));
+  studio.click("Stop recording");
+  ASSERT_TRUE(wait_until([&] { return recording.state == RecordingState::kDone; }));
+  QTest::qWait(100);
+  Controls controls(studio.window());
+  ASSERT_TRUE(wait_until([&] { return says(studio, "Expected error"); }));
+  controls.expect_unmoved("it is judged");
+  int highest = 0;
+  const auto* bar = studio.window().findChild<QProgressBar*>("progress_of_installation");
+  ASSERT_NE(bar, nullptr);
+  QObject::connect(bar, &QProgressBar::valueChanged, bar, [&](int value) {
+    EXPECT_TRUE(value == 0 || value >= highest) << "the bar goes back";
+    highest = value;
+  });
+  studio.click("Install as this finger's reference");
+  controls.expect_unmoved("it is being installed");
+  ASSERT_TRUE(wait_until([&] { return says(studio, "Installed."); }));
+  controls.expect_unmoved("it is installed");
+}
+
 TEST(Steady, WhatStandsAboveAPageIsLow) {
   Studio studio;
   studio.click("Try with a simulated finger");

@@ -30,7 +30,8 @@ namespace {
 
 constexpr int kRecordSideWidth = 306;
 constexpr int kSpaceInterval_ms = 2000;
-constexpr int kProgressLines = 2, kSpaceLines = 1, kDirectionsLines = 3, kJudgedLines = 4;
+constexpr int kProgressLines = 2, kSpaceLines = 1, kDirectionsLines = 3, kOutcomeLines = 5,
+              kReasonLines = 2;
 
 ViewOptions only_finger() {
   ViewOptions options;
@@ -79,9 +80,9 @@ RecordPage::RecordPage(LiveSession& session, QWidget* parent)
       video_(new QPushButton),
       stop_install_(new QPushButton),
       bar_(new QProgressBar),
-      install_reason_(wrapped_label()),
-      judged_(new ReservedText(kJudgedLines)),
-      outcome_(wrapped_label()),
+      step_(new QStackedWidget),
+      install_reason_(new ReservedText(kReasonLines)),
+      outcome_(new ReservedText(kOutcomeLines)),
       strip_(new FrameStrip),
       rejected_(new QListWidget),
       skin_changed_(new QCheckBox),
@@ -158,6 +159,8 @@ QWidget* RecordPage::make_side() {
   for (QWidget* page : {bending, recorded}) work_->addWidget(page);
   side.column->addWidget(work_);
   make_file_group(*side.column);
+  // Last: their heights depend on the recording, and nothing may move.
+  add_widgets(*side.column, {strip_, rejected_});
   side.column->addStretch();
   return side.root;
 }
@@ -185,17 +188,21 @@ void RecordPage::make_result_group(QVBoxLayout& column) {
   auto* layout = new QVBoxLayout(result_group_);
   rejected_->setMaximumHeight(140);
   rejected_->setWordWrap(true);
+  auto *offered = new QWidget, *working = new QWidget, *installed = new QWidget;
+  auto* choice = without_margins(new QVBoxLayout(offered));
   auto* other = new QHBoxLayout;
   other->addWidget(keep_);
   other->addWidget(again_);
-  auto* line = new QHBoxLayout;
+  add_widgets(*choice, {install_, install_reason_});
+  choice->addLayout(other);
+  auto* line = without_margins(new QHBoxLayout(working));
+  bar_->setObjectName("progress_of_installation");
   line->addWidget(bar_, 1);
   line->addWidget(stop_install_);
-  add_widgets(*layout, {summary_, judged_, skin_changed_, install_, install_reason_});
-  layout->addLayout(other);
-  layout->addWidget(inspect_);
-  layout->addLayout(line);
-  add_widgets(*layout, {outcome_, onward_, strip_, rejected_});
+  without_margins(new QVBoxLayout(installed))->addWidget(onward_);
+  for (QWidget* step : {offered, working, installed}) step_->addWidget(step);
+  step_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+  add_widgets(*layout, {summary_, outcome_, skin_changed_, step_, inspect_});
   column.addWidget(result_group_);
   column.addStretch();
 }
@@ -407,6 +414,7 @@ bool RecordPage::is_installing() const {
 void RecordPage::install() {
   report_.reset();
   problem_image_ = {};
+  bar_->setValue(0);
   install_after_judging_ = judge_.is_working();
   if (!install_after_judging_) install_now();
   show_status();
@@ -459,9 +467,9 @@ void RecordPage::install_now() {
 }
 
 void RecordPage::show_installing() {
-  bar_->setValue(static_cast<int>(100 * installing_work().fraction()));
+  // Judging and copying are one piece of work to the user.
+  bar_->setValue(std::max(bar_->value(), static_cast<int>(100 * installing_work().fraction())));
   outcome_->setText(outcome_text());
-  outcome_->setVisible(true);
 }
 
 const BackgroundWork& RecordPage::installing_work() const {
@@ -627,59 +635,61 @@ QString RecordPage::take_words(const RecordingStatus& recording) const {
   return lines.join(QLatin1Char('\n'));
 }
 
-QString RecordPage::judged_words() const {
+QString RecordPage::outcome_text() const {
+  if (is_installing()) {
+    const auto left = installing_work().seconds_left();
+    if (!left) return tr("Reading the recording…");
+    return tr("About %n second(s) left.", nullptr, static_cast<int>(*left) + 1);
+  }
   if (judge_.is_working()) {
     const auto left = judge_.work().seconds_left();
     return left ? tr("The expected error is being computed, about %n second(s).", nullptr,
                      static_cast<int>(*left) + 1)
                 : tr("The expected error is being computed.");
   }
-  if (!judge_.judged() || report_) return {};
-  const Result<ReferenceReport>& judged = judge_.judged()->report;
-  if (!judged.ok())
-    return tr("It cannot be installed: %1").arg(window_sentence(judged.error().what));
-  const ReferenceReport& report = judged.value();
-  return tr("Expected error: half of the references off by less than %1 mm, 95 % by less than %2 "
-            "mm, from %n frame(s).",
-            nullptr, report.frames_retained)
-      .arg(QLocale().toString(report.error_median_mm, 'f', 3),
-           QLocale().toString(report.error_p95_mm, 'f', 3));
+  if (!report_ && judge_.judged() && !judge_.judged()->report.ok())
+    return tr("It cannot be installed: %1")
+        .arg(window_sentence(judge_.judged()->report.error().what));
+  const ReferenceReport* report = shown_report();
+  if (report == nullptr) return {};
+  const QString error =
+      tr("Expected error: half of the references off by less than %1 mm, 95 % by less than %2 "
+         "mm, from %n frame(s).",
+         nullptr, report->frames_retained)
+          .arg(QLocale().toString(report->error_median_mm, 'f', 3),
+               QLocale().toString(report->error_p95_mm, 'f', 3));
+  if (!report_) return error;
+  const QString installed = session_.status().finger.has_reference
+                                ? tr("Installed.")
+                                : tr("Installed; the finger is being loaded with it.");
+  return QStringList{installed, error}.join(QLatin1Char('\n'));
 }
 
 void RecordPage::show_offer(const LiveStatus& status) {
   const QString why = install_obstacle(status);
   const bool is_installed = report_ && report_->ok() && installed_ == recorded_;
   install_->setEnabled(why.isEmpty() && !is_installing());
-  install_->setVisible(!is_installing() && !is_installed);
-  for (QPushButton* other : {keep_, again_}) {
+  for (QPushButton* other : {keep_, again_})
     other->setEnabled(!is_installing() && status.recording.state != RecordingState::kFinishing);
-    other->setVisible(!is_installing() && !is_installed);
-  }
   again_->setEnabled(again_->isEnabled() && record_->isEnabled());
   inspect_->setEnabled(status.recording.state != RecordingState::kFinishing);
-  onward_->setVisible(is_installed && !is_installing());
+  step_->setCurrentIndex(is_installing() ? 1 : is_installed ? 2 : 0);
   onward_->setEnabled(status.finger.has_reference);
   install_reason_->setText(why);
-  install_reason_->setVisible(!why.isEmpty());
   skin_changed_->setVisible(status.finger.has_reference && !is_installing() && !is_installed);
-  judged_->setText(judged_words());
-  judged_->setVisible(!judged_->text().isEmpty() && !is_installing());
-  bar_->setVisible(is_installing());
-  stop_install_->setVisible(is_installing());
+  outcome_->setText(outcome_text());
 }
 
 void RecordPage::show_recorded(const LiveStatus& status) {
   work_->setCurrentIndex(recorded_.empty() ? 0 : 1);
+  // They stay while a changed choice is judged.
+  const bool has_frames = !recorded_.empty() && strip_->has_frames() && !is_installing();
+  strip_->setVisible(has_frames);
+  rejected_->setVisible(has_frames && rejected_->count() > 0);
   if (recorded_.empty()) return;
   summary_->setText(take_words(status.recording));
   summary_->setToolTip(QString::fromStdString(recorded_.string()));
   show_offer(status);
-  outcome_->setText(outcome_text());
-  outcome_->setVisible(!outcome_->text().isEmpty());
-  // They stay while a changed choice is judged.
-  const bool has_frames = strip_->has_frames() && !is_installing();
-  strip_->setVisible(has_frames);
-  rejected_->setVisible(has_frames && rejected_->count() > 0);
 }
 
 /// The checklist before the first recording.
@@ -788,28 +798,6 @@ void RecordPage::mark_primary() {
 
 std::string RecordPage::leads_to() const {
   return onward_->isVisible() ? "calibrate" : std::string();
-}
-
-QString RecordPage::outcome_text() const {
-  if (is_installing()) {
-    const auto left = installing_work().seconds_left();
-    if (!left) return tr("Reading the recording…");
-    return tr("About %n second(s) left.", nullptr, static_cast<int>(*left) + 1);
-  }
-  if (!report_ || !report_->ok()) return {};
-  const ReferenceReport& report = report_->value();
-  QStringList lines{
-      tr("Installed: %1 of %n frame(s) are in the reference.", nullptr, report.frames_read)
-          .arg(report.frames_retained),
-      tr("Remaining error: half of the references made from it are off by less than %1 mm, 95 % by "
-         "less than %2 mm.")
-          .arg(QLocale().toString(report.error_median_mm, 'f', 3),
-               QLocale().toString(report.error_p95_mm, 'f', 3))};
-  if (report.repeated > 0)
-    lines << tr("%n frame(s) repeated a pose of other frames.", nullptr, report.repeated);
-  if (!session_.status().finger.has_reference)
-    lines << tr("The finger is being loaded with its new reference.");
-  return lines.join(QLatin1Char('\n'));
 }
 
 void RecordPage::add_problems(std::vector<Problem>& problems) {

@@ -81,7 +81,8 @@ class RecordPage : public Page {
   void show_rig();
   [[nodiscard]] static QString time_text(double seconds);  // minutes and seconds
   [[nodiscard]] QString take_words(const RecordingStatus& recording) const;
-  [[nodiscard]] QString judged_words() const;
+  /// What is known of the recording so far: the expected error, or what happens to it.
+  [[nodiscard]] QString outcome_text() const;
   /// Highlights the button of the next action: recording, then installing.
   void mark_primary();
   void show_installing();
@@ -91,7 +92,6 @@ class RecordPage : public Page {
   void add_contact_notes(const LiveStatus& status, std::vector<Problem>& problems) const;
   [[nodiscard]] QString record_obstacle(const LiveStatus& status) const;
   [[nodiscard]] QString install_obstacle(const LiveStatus& status) const;
-  [[nodiscard]] QString outcome_text() const;
 
   LiveSession& session_;
   ImagePanel* panel_;
@@ -108,7 +108,8 @@ class RecordPage : public Page {
   QLabel* summary_;
   QPushButton *install_, *keep_, *again_, *inspect_, *onward_, *video_, *stop_install_;
   QProgressBar* bar_;
-  QLabel *install_reason_, *judged_, *outcome_;
+  QStackedWidget* step_;  // install, wait for it, go on
+  QLabel *install_reason_, *outcome_;
   FrameStrip* strip_;
   QListWidget* rejected_;
   QCheckBox* skin_changed_;
