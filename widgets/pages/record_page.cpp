@@ -694,6 +694,7 @@ void RecordPage::show_recorded(const LiveStatus& status) {
 
 /// The checklist before the first recording.
 void RecordPage::show_rig() {
+  if (!recorded_.empty()) return;  // hidden: another height would move what is shown
   const LiveStatus& status = session_.status();
   const bool is_recording = status.recording.state == RecordingState::kRunning;
   const auto& finger = status.finger.finger;
