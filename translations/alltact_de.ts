@@ -443,14 +443,6 @@
         <translation>&amp;Weiter: %1</translation>
     </message>
     <message>
-        <source>This finger is not calibrated yet, so no depth is shown.</source>
-        <translation>Dieser Finger ist noch nicht kalibriert, deshalb wird keine Tiefe angezeigt.</translation>
-    </message>
-    <message>
-        <source>Calibrate it with ball presses.</source>
-        <translation>Kalibrieren Sie ihn mit Kugeleindrücken.</translation>
-    </message>
-    <message>
         <source>Calibrate</source>
         <translation>Kalibrieren</translation>
     </message>

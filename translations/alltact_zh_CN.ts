@@ -441,14 +441,6 @@
         <translation>下一步：%1(&amp;N)</translation>
     </message>
     <message>
-        <source>This finger is not calibrated yet, so no depth is shown.</source>
-        <translation>此手指尚未标定，因此不显示深度。</translation>
-    </message>
-    <message>
-        <source>Calibrate it with ball presses.</source>
-        <translation>请用球按压进行标定。</translation>
-    </message>
-    <message>
         <source>Calibrate</source>
         <translation>标定</translation>
     </message>

@@ -201,7 +201,7 @@ TEST_F(Geometry, OfTheFirstPageWithFingers) {
   Studio studio(options);
   auto* cards = studio.window().findChild<FingerCards*>();
   ASSERT_TRUE(wait_until([&] { return cards->cards().size() == 2; }));
-  look(studio, "start", *studio.window().findChild<LivePage*>(), {0, 0.45});
+  look(studio, "start", *studio.window().findChild<LivePage*>(), {0, kMostEmpty});
 }
 
 TEST_F(Geometry, OfLive) {

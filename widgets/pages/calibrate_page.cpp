@@ -98,13 +98,6 @@ void CalibratePage::follow() {
 void CalibratePage::add_problems(std::vector<Problem>& problems) {
   if (isVisible())
     for (Problem& problem : pages_[step_]->problems()) problems.push_back(std::move(problem));
-  const FingerStatus& finger = session_.status().finger;
-  if (finger.state != FingerState::kReady || finger.folder.empty()) return;
-  const bool is_recorded = finger.finger->face.kind != FaceKind::kFinRay || finger.has_reference;
-  if (!is_recorded || finger.finger->mapping) return;
-  problems.push_back({Meaning::kDoubtful,
-                      tr("This finger is not calibrated yet, so no depth is shown."),
-                      tr("Calibrate it with ball presses.")});
 }
 
 void CalibratePage::reload() {

@@ -290,8 +290,9 @@ QVBoxLayout* StartPanel::make_left() {
   auto* column = new QVBoxLayout;
   column->setSpacing(kSpacing + kSpacing / 2);
   title_->setFont(text_font(font(), TextSize::kTitle));
-  add_widgets(*column, {title_, intro_, last_, cards_});
-  column->addWidget(drawing_, 1);
+  add_widgets(*column, {last_, cards_, title_, intro_});
+  column->addWidget(drawing_, 100);
+  column->addStretch(1);  // below a small drawing
   return column;
 }
 
@@ -338,6 +339,9 @@ void StartPanel::mark_primary() {
   set_primary(*last_, has_worked);
   set_primary(*try_, !has_worked && cards_->cards().empty());
   all_->setEnabled(!cards_->cards().empty());
+  // Who has fingers knows what one is.
+  constexpr int kSmall_px = 320;
+  drawing_->setMaximumHeight(cards_->cards().empty() ? QWIDGETSIZE_MAX : kSmall_px);
 }
 
 void StartPanel::set_last(const QString& what) {

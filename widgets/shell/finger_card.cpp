@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kImageHeight = 144;  // twice the shown height, for dense screens
+constexpr int kImageHeight = 288;  // twice the shown height of most, for dense screens
 
 /// The first press, or the reference image of a flat sensor.
 fs::path image_file_of(const fs::path& folder, const Finger& finger) {
@@ -183,24 +183,26 @@ QString summary_of(const FingerCard& card, const std::string& now) {
 
 namespace {
 
-constexpr int kCardColumns = 2;
-constexpr QSize kCardImage(128, 72);
-constexpr int kCardWidth = 290, kCardSymbol = 22;
-constexpr int kCardTextMargin = kCardImage.width() + 30;  // px of a card
+constexpr int kCardColumns = 3;
+constexpr int kCardWidth = 190, kMaxImageWidth = 320, kCardSymbol = 22;
+constexpr int kCardMargin = 14;  // px, both sides of image and text together
 
 /// The image with the verdict's symbol in its corner.
-QIcon icon_of(const FingerCard& card, const QPalette& palette, double ratio) {
-  QPixmap image(kCardImage * ratio);
+QIcon icon_of(const FingerCard& card, const QSize& size, const QPalette& palette, double ratio) {
+  QPixmap image(size * ratio);
   image.setDevicePixelRatio(ratio);
   image.fill(palette.color(QPalette::Dark));
   QPainter painter(&image);
   painter.setRenderHint(QPainter::SmoothPixmapTransform);
-  const QRect card_box(QPoint(0, 0), kCardImage);
+  const QRect card_box(QPoint(0, 0), size);
   if (card.image.isNull()) {
-    icon(QStringLiteral("finger"), palette).paint(&painter, card_box.adjusted(40, 14, -40, -14));
+    const int side = size.height() / 2;
+    QRect box(0, 0, side, side);
+    box.moveCenter(card_box.center());
+    painter.drawPixmap(
+        box, symbol(QStringLiteral("finger"), palette.color(QPalette::WindowText), side, ratio));
   } else {
-    QRect image_box(QPoint(0, 0),
-                    card.image.size().scaled(kCardImage, Qt::KeepAspectRatioByExpanding));
+    QRect image_box(QPoint(0, 0), card.image.size().scaled(size, Qt::KeepAspectRatioByExpanding));
     image_box.moveCenter(card_box.center());
     painter.setClipRect(card_box);
     painter.drawImage(image_box, card.image);
@@ -216,10 +218,11 @@ QIcon icon_of(const FingerCard& card, const QPalette& palette, double ratio) {
   return QIcon(image);
 }
 
+/// The name, what it is worth, and what is due.
 QStringList lines_of(const FingerCard& card) {
   QStringList lines;
   for (const QString& line :
-       {QString::fromStdString(card.name), headline_of(card).text, dates_of(card), due_text(card)})
+       {QString::fromStdString(card.name), headline_of(card).text, due_text(card)})
     if (!line.isEmpty()) lines << line;
   return lines;
 }
@@ -278,13 +281,12 @@ void FingerCards::rebuild() {
 
 QToolButton* FingerCards::make_button(const FingerCard& card) {
   auto* button = new QToolButton;
-  button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  button->setIconSize(kCardImage);
-  button->setIcon(icon_of(card, palette(), devicePixelRatioF()));
+  button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
   button->setMinimumWidth(kCardWidth);
   button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   button->setAccessibleName(tr("Open the finger %1").arg(QString::fromStdString(card.name)));
   QStringList lines = lines_of(card);
+  if (const QString dates = dates_of(card); !dates.isEmpty()) lines << dates;
   if (const QString findings = findings_text(card); !findings.isEmpty()) lines << findings;
   button->setAccessibleDescription(lines.mid(1).join(QLatin1String(". ")));
   lines << QString::fromStdString(card.folder.string());
@@ -297,11 +299,18 @@ QToolButton* FingerCards::make_button(const FingerCard& card) {
 
 /// The tool tip holds text that does not fit into its card.
 void FingerCards::fit() {
+  const int columns = std::clamp(static_cast<int>(cards_.size()), 1, kCardColumns);
+  const int room =
+      std::max(kCardWidth, (width() - (columns - 1) * grid_->spacing()) / columns) - kCardMargin;
+  const int image_width = std::min(room, kMaxImageWidth);
+  const QSize image(image_width, image_width * 9 / 16);
   for (std::size_t i = 0; i < cards_.size(); ++i) {
     auto* button = static_cast<QToolButton*>(grid_->itemAt(static_cast<int>(i))->widget());
-    const int room =
-        std::max(kCardWidth, (width() - grid_->spacing()) / kCardColumns) - kCardTextMargin;
     const FingerCard& card = cards_[i];
+    if (button->iconSize() != image || button->icon().isNull()) {
+      button->setIconSize(image);
+      button->setIcon(icon_of(card, image, palette(), devicePixelRatioF()));
+    }
     QStringList lines;
     for (const QString& line : lines_of(card))
       lines << fontMetrics().elidedText(line, Qt::ElideRight, room);
