@@ -1,5 +1,5 @@
 // After every action the focus is on what comes next, and never on Undo, where Space would take
-// back what was just done.
+// back what was just done. At most one button is the primary one.
 #include "tests/studio/calibrate_rig.h"
 #include "widgets/theme.h"
 
@@ -15,6 +15,10 @@ void expect_useful_focus(const std::string& after) {
   EXPECT_TRUE(focused->isVisible() && focused->isEnabled()) << after;
   for (const QWidget* widget = focused; widget != nullptr; widget = widget->parentWidget())
     EXPECT_EQ(qobject_cast<const UndoBar*>(widget), nullptr) << after << ": it is on Undo";
+  QStringList primary;
+  for (const auto* button : focused->window()->findChildren<QPushButton*>())
+    if (button->isVisible() && is_primary(*button)) primary << button->text();
+  EXPECT_LE(primary.size(), 1) << after << ": " << primary.join(", ").toStdString();
 }
 
 void expect_focus_on_primary(const std::string& after) {
