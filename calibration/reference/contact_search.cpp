@@ -213,10 +213,12 @@ Typical typical_values(const WindowValues& values, const std::vector<char>& with
           known.push_back(x);
       }
       if (known.size() < 8) continue;
-      const auto quantile = [&](double part) {
+      auto from = known.begin();                // what is before is less
+      const auto quantile = [&](double part) {  // of ascending parts
         const auto it = known.begin() +
                         static_cast<std::ptrdiff_t>(part * (static_cast<double>(known.size()) - 1));
-        std::nth_element(known.begin(), it, known.end());
+        std::nth_element(from, it, known.end());
+        from = it;
         return *it;
       };
       const auto k = static_cast<std::size_t>(p);
