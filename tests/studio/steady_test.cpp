@@ -5,6 +5,7 @@
 #include "tests/studio/calibrate_rig.h"
 #include "widgets/calibrating/check_page.h"
 #include "widgets/pages/accuracy_page.h"
+#include "widgets/pages/inspect_page.h"
 
 #include <QAbstractItemView>
 #include <QAbstractSlider>
@@ -232,6 +233,55 @@ TEST(Steady, JudgingAndInstallingMoveNothing) {
   controls.expect_unmoved("it is being installed");
   ASSERT_TRUE(wait_until([&] { return says(studio, "Installed."); }));
   controls.expect_unmoved("it is installed");
+}
+
+TEST(Steady, MeasuringContactsAndALoadedFingerMoveNothing) {
+  const TemporaryFolder folder;
+  ASSERT_TRUE(write_file_atomically(folder / "pressing.yaml", pressing_scene()).ok());
+  StudioOptions options;
+  options.source = {folder / "pressing.yaml"};
+  Studio studio(options);
+  ASSERT_TRUE(studio.wait_for_picture());
+  QTest::qWait(300);
+  Controls controls(studio.window());
+  studio.window().open_finger(MadeFingers::get().calibrated());
+  controls.expect_unmoved("the finger is being loaded");
+  ASSERT_TRUE(wait_until([&] {
+    const auto view = studio.session().view();
+    return view && view->depth_layer;
+  }));
+  controls.expect_unmoved("it is loaded");
+  for (int times = 0; times < 4; ++times) {
+    QTest::qWait(500);  // a press, or the next one
+    controls.expect_unmoved("it measures");
+  }
+}
+
+TEST(Steady, InspectingMovesNothing) {
+  StudioOptions options;
+  options.finger = MadeFingers::get().calibrated();
+  Studio studio(options);
+  studio.window().go_to("inspect");
+  auto& page = *studio.window().findChild<InspectPage*>();
+  page.open(MadeFingers::get().touched_pictures());
+  const auto measured = [&](std::size_t number) {
+    return wait_until([&] {
+      const auto& frame = page.inspection().frame();
+      return frame && frame->surface && frame->number == number;
+    });
+  };
+  ASSERT_TRUE(measured(0));
+  QTest::qWait(300);
+  Controls controls(studio.window());
+  QTest::keyClick(studio.find<QSpinBox>("Current frame"), Qt::Key_Up);
+  ASSERT_TRUE(measured(1));
+  controls.expect_unmoved("another frame");
+  studio.click("Deepest");
+  controls.expect_unmoved("a point is set");
+  studio.click("Along");
+  controls.expect_unmoved("a line is set");
+  studio.click("Clear");
+  controls.expect_unmoved("the points are cleared");
 }
 
 TEST(Steady, WhatStandsAboveAPageIsLow) {

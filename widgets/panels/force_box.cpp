@@ -23,7 +23,7 @@ constexpr int kForcePlotHeight = 160;
 
 ContactBox::ContactBox(QWidget* parent) : Translated(parent), text_(wrapped_text()) {
   text_->setTextFormat(Qt::RichText);
-  constexpr int kLines = 8;  // of the longest text
+  constexpr int kLines = 11;  // of the longest text
   text_->setMinimumHeight(kLines * text_->fontMetrics().lineSpacing());
   text_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   (new QVBoxLayout(this))->addWidget(text_);
