@@ -28,6 +28,13 @@ double outermost(const FaceEnd& end, double upper_v, double lower_v, int outward
   return outwards > 0 ? highest : lowest;
 }
 
+/// Numbers of the first and the last valid column; the first exceeds the last where none is valid.
+std::pair<long, long> valid_columns(const std::vector<FaceColumn>& columns) {
+  const auto is_valid = [](const FaceColumn& c) { return c.valid; };
+  return {std::find_if(columns.begin(), columns.end(), is_valid) - columns.begin(),
+          columns.rend() - std::find_if(columns.rbegin(), columns.rend(), is_valid) - 1};
+}
+
 Error no_shape(Message what, ErrorKind kind = ErrorKind::kOther) {
   return {std::move(what), en::say("the face's edges"),
           en::say("an image in which both long edges of the bright face are visible and lit "
@@ -198,10 +205,9 @@ constexpr double kMinCosIncline = 0.25881904510252074;
 }  // namespace
 
 void FaceShape::finish() {
-  const auto valid = [](const FaceColumn& c) { return c.valid; };
-  const auto first = std::find_if(columns_.begin(), columns_.end(), valid);
-  const auto last = std::find_if(columns_.rbegin(), columns_.rend(), valid);
-  base_at_low_u_ = first->z_mm <= last->z_mm;
+  const auto [first, last] = valid_columns(columns_);
+  base_at_low_u_ = columns_[static_cast<std::size_t>(first)].z_mm <=
+                   columns_[static_cast<std::size_t>(last)].z_mm;
 
   compute_lengths();
   along_z_per_normal_.assign(columns_.size(), 1.0F);
@@ -301,9 +307,7 @@ Eigen::Vector3d untouched_point_mm(const FaceShape::Local& local, double layer_m
 std::optional<Eigen::Vector2d> pixel_of_position(const FaceShape& shape,
                                                  const Eigen::Vector2d& position_mm) {
   const auto& columns = shape.columns();
-  const auto is_valid = [](const FaceColumn& c) { return c.valid; };
-  long low = std::find_if(columns.begin(), columns.end(), is_valid) - columns.begin();
-  long high = columns.rend() - std::find_if(columns.rbegin(), columns.rend(), is_valid) - 1;
+  auto [low, high] = valid_columns(columns);
   if (high <= low) return std::nullopt;
   // Lengths increase from base to tip, which may be from right to left.
   const auto ahead_mm = [&](long u) {
@@ -475,9 +479,7 @@ struct FaceShape::Rulings {
 
 FaceShape::Rulings FaceShape::rulings_of(const FaceTwist& twist) const {
   constexpr int kCount = 48;
-  const auto valid = [](const FaceColumn& c) { return c.valid; };
-  const auto first = std::find_if(columns_.begin(), columns_.end(), valid) - columns_.begin();
-  const auto last = columns_.rend() - std::find_if(columns_.rbegin(), columns_.rend(), valid) - 1;
+  const auto [first, last] = valid_columns(columns_);
   const double half_mm = 0.5 * face_.width_mm;
   Rulings rulings;
   for (int i = 0; i < kCount; ++i) {
@@ -648,10 +650,7 @@ FaceShape::Rows FaceShape::rows(int u, double margin_px) const {
 std::optional<double> FaceShape::end_column(bool at_base) const {
   const std::optional<FaceEnd>& end = at_base == base_at_low_u_ ? ends_.first : ends_.last;
   if (!end) return std::nullopt;
-  const auto is_valid = [](const FaceColumn& c) { return c.valid; };
-  const long first = std::find_if(columns_.begin(), columns_.end(), is_valid) - columns_.begin();
-  const long last =
-      columns_.rend() - std::find_if(columns_.rbegin(), columns_.rend(), is_valid) - 1;
+  const auto [first, last] = valid_columns(columns_);
   double u = end->u_px;
   for (int step = 0; step < 3; ++step) {
     const FaceColumn& column =
@@ -772,9 +771,7 @@ Eigen::Vector2d FaceShape::position_mm(double u, double v) const {
 
 std::optional<FaceShape::Middle> FaceShape::middle_at(double u) const {
   if (full_image_) return std::nullopt;
-  const auto valid = [](const FaceColumn& c) { return c.valid; };
-  const auto first = std::find_if(columns_.begin(), columns_.end(), valid) - columns_.begin();
-  const auto last = columns_.rend() - std::find_if(columns_.rbegin(), columns_.rend(), valid) - 1;
+  const auto [first, last] = valid_columns(columns_);
   return middle_within(std::clamp(u, static_cast<double>(first), static_cast<double>(last)));
 }
 
