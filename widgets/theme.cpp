@@ -94,6 +94,22 @@ QColor series_colour(int index, const QPalette& palette) {
   return colours[static_cast<std::size_t>(index) % colours.size()];
 }
 
+QColor role_colour(ColourRole role, const QPalette& palette) {
+  switch (role) {
+    case ColourRole::kMeasured:
+      return series_colour(0, palette);
+    case ColourRole::kExpected:
+      return series_colour(1, palette);
+    case ColourRole::kContact:
+      return series_colour(3, palette);
+    case ColourRole::kLeftOut:
+      return series_colour(5, palette);
+    case ColourRole::kChosen:
+      break;
+  }
+  return palette.color(QPalette::Highlight);
+}
+
 QColor meaning_colour(Meaning meaning, const QPalette& palette) {
   const bool dark = is_dark(palette);
   switch (meaning) {
@@ -328,6 +344,13 @@ QSize StudioStyle::sizeFromContents(ContentsType type, const QStyleOption* optio
   };
   const int wider = width(QFontMetrics(bold)) - width(button->fontMetrics);
   return QProxyStyle::sizeFromContents(type, option, contents + QSize(wider, 0), widget);
+}
+
+/// Qt's own symbols of the buttons of dialogs are black in every theme.
+int StudioStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                           QStyleHintReturn* more) const {
+  if (hint == SH_DialogButtonBox_ButtonsHaveIcons) return 0;
+  return QProxyStyle::styleHint(hint, option, widget, more);
 }
 
 int StudioStyle::pixelMetric(PixelMetric metric, const QStyleOption* option,

@@ -32,6 +32,16 @@ enum class Theme { kSystem = 1, kLight, kDark, kHighContrast };
 /// backgrounds; meaning never rests on them alone. index >= 0; they repeat after six.
 [[nodiscard]] QColor series_colour(int index, const QPalette& palette);
 
+/// What a colour stands for in every plot and drawing. Series without such a role are numbered.
+enum class ColourRole {
+  kMeasured = 1,  ///< measured, recorded or covered
+  kExpected,      ///< what a model, a forecast, a request or an earlier value promises
+  kLeftOut,       ///< does not count
+  kContact,       ///< something presses
+  kChosen         ///< selected by the user
+};
+[[nodiscard]] QColor role_colour(ColourRole role, const QPalette& palette);
+
 enum class Meaning { kGood = 1, kDoubtful, kBad };
 /// For borders and symbols next to text; contrast of at least 3:1 against the palette's window.
 [[nodiscard]] QColor meaning_colour(Meaning meaning, const QPalette& palette);
@@ -67,6 +77,9 @@ class StudioStyle : public QProxyStyle {
   [[nodiscard]] QSize sizeFromContents(ContentsType type, const QStyleOption* option,
                                        const QSize& contents,
                                        const QWidget* widget = nullptr) const override;
+  [[nodiscard]] int styleHint(StyleHint hint, const QStyleOption* option = nullptr,
+                              const QWidget* widget = nullptr,
+                              QStyleHintReturn* more = nullptr) const override;
   [[nodiscard]] int pixelMetric(PixelMetric metric, const QStyleOption* option = nullptr,
                                 const QWidget* widget = nullptr) const override;
 };

@@ -90,6 +90,26 @@ TEST_F(SideBySidePlace, ShowsBothDepthsOfTheSameFrameAndWhatTheyDifferBy) {
   EXPECT_EQ(studio->problems(), "");
 }
 
+/// A scale that shrank with a lighter contact would make it look like a stronger one.
+TEST_F(SideBySidePlace, TheScaleOfTheDifferenceOnlyGrows) {
+  LiveSession session;
+  SettingsComparison sides(session);
+  double before_mm = sides.difference_top_mm();
+  const auto take = [&](double p95_mm) {
+    auto frame = std::make_shared<ComparedFrame>();
+    frame->p95_mm = p95_mm;
+    sides.take(frame);
+    return sides.difference_top_mm();
+  };
+  EXPECT_EQ(take(0.001), before_mm);
+  const double grown_mm = take(0.16);
+  EXPECT_GE(grown_mm, 0.16);
+  EXPECT_EQ(take(0.01), grown_mm);
+  sides.take(nullptr);
+  EXPECT_EQ(sides.difference_top_mm(), grown_mm);
+  EXPECT_GT(take(0.9), grown_mm);
+}
+
 TEST_F(SideBySidePlace, SaysWhatToDoWhereThereIsNothingToCompare) {
   open();
   auto* table = place().findChild<AccuracyTable*>();

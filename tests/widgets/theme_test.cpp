@@ -1,7 +1,13 @@
 // Contrast as WCAG 2.1 defines it (relative luminance of sRGB).
 #include "widgets/theme.h"
 
+#include "tests/support/program.h"
+
+#include <array>
 #include <cmath>
+#include <filesystem>
+#include <set>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -41,8 +47,34 @@ TEST_P(EveryTheme, LinesAndSymbolsCanBeSeen) {
   const QPalette palette = theme_palette(GetParam());
   for (int i = 0; i < 6; ++i)
     EXPECT_GE(contrast(series_colour(i, palette), palette.color(QPalette::Base)), 3) << i;
+  using R = ColourRole;
+  const std::array roles{R::kMeasured, R::kExpected, R::kLeftOut, R::kContact};
+  for (const R role : roles) {
+    EXPECT_GE(contrast(role_colour(role, palette), palette.color(QPalette::Base)), 3);
+    for (const R other : roles)
+      EXPECT_EQ(role_colour(role, palette) == role_colour(other, palette), role == other);
+  }
   for (const Meaning meaning : {Meaning::kGood, Meaning::kDoubtful, Meaning::kBad})
     EXPECT_GE(contrast(meaning_colour(meaning, palette), palette.color(QPalette::Window)), 3);
+}
+
+/// The same thing has the same colour everywhere: nobody picks a colour by its number, but for
+/// series without a role (axes of a force, curves of an experiment) and a drawing.
+TEST(Theme, ColoursStandForRoles) {
+  const std::set<std::string> numbered{"theme.cpp", "force_box.cpp", "experiment_pages.cpp",
+                                       "finger_drawing.cpp", "calibration_plots.cpp"};
+  int files = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(
+           std::filesystem::path(ALLTACT_SOURCE_DIR) / "widgets")) {
+    if (entry.path().extension() != ".cpp") continue;
+    ++files;
+    const std::string text = test::text_of(entry.path());
+    if (numbered.count(entry.path().filename().string()) == 0) {
+      EXPECT_EQ(text.find("series_colour("), std::string::npos) << entry.path();
+    }
+    EXPECT_EQ(text.find("series_colour(0, palette())"), std::string::npos) << entry.path();
+  }
+  EXPECT_GT(files, 50);
 }
 
 TEST(Theme, KnowsDarkFromLight) {

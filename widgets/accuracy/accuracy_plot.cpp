@@ -32,7 +32,6 @@ constexpr int kFocusPx = 2;
 AccuracyPlot::AccuracyPlot(QWidget* parent) : Plot(parent) {
   layout()->setContentsMargins(kFocusPx, kFocusPx, kFocusPx, kFocusPx);
   setFocusPolicy(Qt::StrongFocus);
-  set_accessible_role(*this, QAccessible::Chart);
   chart().setMouseTracking(true);
   connect(&chart(), &QCustomPlot::afterLayout, this, &AccuracyPlot::layout_labels_now);
   connect(&chart(), &QCustomPlot::mouseMove, this, &AccuracyPlot::hover);
@@ -60,13 +59,14 @@ void AccuracyPlot::pick(std::optional<std::size_t> point) {
 }
 
 void AccuracyPlot::announce() {
-  setAccessibleName(tr("Error versus time per image"));
   if (picked_)
     set_accessible_value(*this,
                          points_[*picked_].words + QLatin1Char('\n') + points_[*picked_].hint);
   else
     set_accessible_value(*this, empty_text());
 }
+
+QString AccuracyPlot::title() const { return tr("Error versus time per image"); }
 
 QString AccuracyPlot::empty_text() const {
   return points_.empty() ? tr("Nothing has been measured yet") : tr("No setting is chosen");
@@ -139,7 +139,7 @@ void AccuracyPlot::draw_others() {
 }
 
 void AccuracyPlot::draw_front() {
-  const QColor colour = series_colour(0, palette());
+  const QColor colour = role_colour(ColourRole::kMeasured, palette());
   auto* stairs = chart().addGraph();
   auto* dots = chart().addGraph();
   stairs->setLineStyle(QCPGraph::lsStepLeft);
@@ -176,7 +176,8 @@ void AccuracyPlot::draw_marks() {
   };
   if (picked_)
     mark(tr("chosen"),
-         QCPScatterStyle(QCPScatterStyle::ssDiamond, text, series_colour(1, palette()), 15),
+         QCPScatterStyle(QCPScatterStyle::ssDiamond, text,
+                         role_colour(ColourRole::kChosen, palette()), 15),
          points_[*picked_]);
   for (const AccuracyPoint& point : points_)
     if (point.is_in_use)
@@ -474,6 +475,7 @@ AccuracyTable::AccuracyTable(QWidget* parent)
 void AccuracyTable::name_parts() {
   sort_label_->setText(tr("S&ort by"));
   sort_->setAccessibleName(tr("Sort by"));
+  sort_->setToolTip(tr("Order of the rows below"));
   view_->setAccessibleName(tr("Error versus time per image, as a table"));
   const int now = std::max(0, sort_->currentIndex());
   sort_->clear();

@@ -63,6 +63,7 @@ class AccuracyPlot : public Plot {
 
  protected:
   bool draw() override;
+  [[nodiscard]] QString title() const override;
   [[nodiscard]] QString empty_text() const override;
   void keyPressEvent(QKeyEvent* event) override;
   void paintEvent(QPaintEvent* event) override;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kDepthTop_mm = 1.0;
 
-QString micrometres(double mm) { return QLocale().toString(1000 * mm, 'f', 1); }
+QString millimetres(double mm) { return QLocale().toString(mm, 'f', 4); }
 
 }  // namespace
 
@@ -190,9 +190,9 @@ QString SettingsComparison::figures() const {
   QStringList lines{tr("This image: %1 ms with the setting in use, %2 ms with the chosen one.")
                         .arg(milliseconds(compared_->now_ms), milliseconds(compared_->other_ms))};
   if (compared_->median_mm)
-    lines << tr("Where something presses, half of all points differ by less than %1 µm, 95 % by "
-                "less than %2 µm.")
-                 .arg(micrometres(*compared_->median_mm), micrometres(*compared_->p95_mm));
+    lines << tr("Where something presses, half of all points differ by less than %1 mm, 95 % by "
+                "less than %2 mm.")
+                 .arg(millimetres(*compared_->median_mm), millimetres(*compared_->p95_mm));
   else
     lines << tr("No contact: touch the finger to compare depths.");
   return lines.join(QStringLiteral("\n\n"));

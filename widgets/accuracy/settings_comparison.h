@@ -29,6 +29,10 @@ class SettingsComparison : public Translated<QWidget> {
 
   /// The newest frame measured with both; null before the first.
   [[nodiscard]] const std::shared_ptr<const ComparedFrame>& compared() const { return compared_; }
+  /// Shows a frame that was measured with both; null: none.
+  void take(const std::shared_ptr<const ComparedFrame>& compared);
+  /// End of the scale of the difference.
+  [[nodiscard]] double difference_top_mm() const { return difference_top_mm_; }
 
  Q_SIGNALS:
   void shown();
@@ -40,7 +44,6 @@ class SettingsComparison : public Translated<QWidget> {
   enum View { kNow = 0, kOther, kDifference, kViews };
   struct Held;  // what the measuring thread holds from frame to frame
   void take_frame();
-  void take(const std::shared_ptr<const ComparedFrame>& compared);
   void show_views();
   void show_view(View view, const FrameResult& result);
   void show_message(const QString& message);

@@ -171,6 +171,10 @@ QVariant PressModel::data(const QModelIndex& index, int role) const {
       font.setStrikeOut(collection_.press_set().of(press->name).excluded.has_value());
       return font;
     }
+    case Qt::ForegroundRole:
+      return collection_.press_set().of(press->name).excluded
+                 ? QVariant(role_colour(ColourRole::kLeftOut, QGuiApplication::palette()))
+                 : QVariant();
     case kName:
       return as_text(press->name);
     default:

@@ -90,7 +90,9 @@ VerdictPage::VerdictPage(CalibrationRun& run, QWidget* parent)
     print_->setShortcut(QKeySequence::Print);  // setText() removes the shortcut
     print_->setToolTip(tr("One sheet to store with the finger, on paper or as PDF"));
     report_->setText(tr("&Open the report"));
+    report_->setToolTip(tr("Opens the report of the calibration for the lab book (PDF)"));
     copy_->setText(tr("Copy as command &line"));
+    copy_->setToolTip(tr("Copies the command that repeats this calibration in a terminal"));
     command_->setAccessibleName(tr("The same as a command line"));
     mapping_->setAccessibleName(tr("Depth over brightness difference"));
     errors_->setAccessibleName(tr("Error of every press, worst first"));
@@ -145,7 +147,9 @@ void VerdictPage::show_folds() {
   const int count = shown_ ? remarks_->count() : 0;
   const bool has_more = more_->finger() != nullptr;
   fold_->setText(tr("Remarks (%1)").arg(count));
+  fold_->setToolTip(tr("Shows the remarks instead of the figures"));
   fold_more_->setText(MoreDataBox::tr("Benefit of more data"));
+  fold_more_->setToolTip(tr("Shows what more presses would bring instead of the figures"));
   fold_more_->setVisible(has_more);
   for (QToolButton* fold : {fold_, fold_more_})
     fold->setArrowType(fold->isChecked() ? Qt::DownArrow : Qt::RightArrow);
@@ -200,6 +204,7 @@ void VerdictPage::do_task() {
 void VerdictPage::show_task() {
   const Task now = task();
   task_->setVisible(now != Task::kNone);
+  task_->setToolTip(tr("What improves this finger's depth most now"));
   task_->setEnabled(now != Task::kAgain || run_.can_start());
   task_->setText(now == Task::kPresses ? tr("Go to the presses")
                  : now == Task::kCheck ? tr("Go to the check")
@@ -378,8 +383,7 @@ class Sheet {
                   meaning_colour(headline.meaning, light_));
     const auto seconds = unix_seconds(done_.inputs.date);
     const QString date =
-        seconds ? QLocale().toString(QDateTime::fromSecsSinceEpoch(static_cast<qint64>(*seconds)),
-                                     QLocale::ShortFormat)
+        seconds ? moment_text(QDateTime::fromSecsSinceEpoch(static_cast<qint64>(*seconds)))
                 : as_text(done_.inputs.date);
     const QString person = as_text(done_.inputs.press_set.operator_name);
     document_.paragraph(
@@ -569,6 +573,7 @@ void MoreDataBox::show_state() {
   const bool is_running = work_.is_running();
   start_->setText(is_running ? tr("Sto&p") : tr("Compute no&w"));
   start_->setVisible(!study_);
+  start_->setToolTip(tr("Calibrates with fewer and with painted presses; takes a minute"));
   bar_->setVisible(is_running);
   bar_->setValue(static_cast<int>(100 * work_.fraction()));
   plot_->setVisible(study_ != nullptr);
@@ -590,24 +595,27 @@ void MoreDataBox::show_state() {
 }
 
 PressesPlot::PressesPlot(QWidget* parent) : Plot(parent) {
-  setAccessibleName(tr("Depth error by number of presses"));
+  setAccessibleName(PressesPlot::title());
 }
 
 void PressesPlot::set_points(std::vector<PressesPoint> points) {
   points_ = std::move(points);
   QStringList words;
   for (const PressesPoint& point : points_)
-    words << tr("%n press(es): %1 µm", nullptr, point.presses)
-                 .arg(QLocale().toString(1000 * point.median_mm, 'f', 1));
+    words << tr("%n press(es): %1 mm", nullptr, point.presses)
+                 .arg(QLocale().toString(point.median_mm, 'f', 4));
   setAccessibleDescription(joined_clauses(words));
   rebuild();
 }
+
+QString PressesPlot::title() const { return tr("Depth error by number of presses"); }
 
 QString PressesPlot::empty_text() const { return tr("Nothing is computed yet"); }
 
 bool PressesPlot::draw() {
   if (points_.empty()) return false;
-  const QColor painted = series_colour(0, palette()), real = series_colour(1, palette());
+  const QColor painted = role_colour(ColourRole::kExpected, palette()),
+               real = role_colour(ColourRole::kMeasured, palette());
   auto* line = chart().addGraph();
   auto* now = chart().addGraph();
   auto* pressed = chart().addGraph();
@@ -617,15 +625,14 @@ bool PressesPlot::draw() {
   whiskers->removeFromLegend();
   double highest = 0, tallest = 0;
   for (const PressesPoint& point : points_) {
-    const double presses = point.presses, median_um = 1000 * point.median_mm,
-                 p95_um = 1000 * point.p95_mm;
-    line->addData(presses, median_um);
-    whiskers->addData(0, p95_um - median_um);
-    if (point.is_current) now->addData(presses, median_um);
-    if (point.real_median_mm) pressed->addData(presses, 1000 * *point.real_median_mm);
+    const double presses = point.presses;
+    line->addData(presses, point.median_mm);
+    whiskers->addData(0, point.p95_mm - point.median_mm);
+    if (point.is_current) now->addData(presses, point.median_mm);
+    if (point.real_median_mm) pressed->addData(presses, *point.real_median_mm);
     // A single press may be far off and would squash the others.
-    if (point.presses > 2 || points_.size() < 3) tallest = std::max(tallest, p95_um);
-    highest = std::max(highest, p95_um);
+    if (point.presses > 2 || points_.size() < 3) tallest = std::max(tallest, point.p95_mm);
+    highest = std::max(highest, point.p95_mm);
   }
   line->setName(tr("painted balls, whisker to 95 %"));
   line->setPen(QPen(painted, 2));
@@ -645,8 +652,8 @@ bool PressesPlot::draw() {
   integer_ticks->setScaleStrategy(QCPAxisTickerFixed::ssMultiples);
   chart().xAxis->setTicker(integer_ticks);
   chart().xAxis->setLabel(tr("Presses"));
-  chart().yAxis->setRange(0, 1.1 * std::max(tallest > 0 ? tallest : highest, 1e-3));
-  chart().yAxis->setLabel(tr("Depth error (µm)"));
+  chart().yAxis->setRange(0, 1.1 * std::max(tallest > 0 ? tallest : highest, 1e-6));
+  chart().yAxis->setLabel(tr("Depth error (mm)"));
   show_legend();
   return true;
 }

@@ -46,6 +46,7 @@ class PressesPlot : public Plot {
 
  protected:
   bool draw() override;
+  [[nodiscard]] QString title() const override;
   [[nodiscard]] QString empty_text() const override;
 
  private:

@@ -60,7 +60,10 @@ QColor background(const QPalette& palette) { return palette.color(QPalette::Wind
 
 }  // namespace
 
-ImageView::ImageView(QWidget* parent) : Translated(parent) {
+ImageView::ImageView(QWidget* parent, CopyFigure::Menu copy_menu) : Translated(parent) {
+  new CopyFigure(
+      *this, [this] { return grey_.empty() ? QImage() : image_with_overlays(grey_, overlays_); },
+      copy_menu);
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   setAttribute(Qt::WA_OpaquePaintEvent);
@@ -305,8 +308,22 @@ ImageTransform ImageTransform::clamped_to(QSize image, QSizeF widget) const {
   return transform;
 }
 
+QImage image_with_overlays(const cv::Mat& grey, const std::vector<Overlay>& overlays) {
+  QImage image = grey_image(grey).convertToFormat(QImage::Format_RGB32);
+  QPainter painter(&image);
+  painter.setRenderHint(QPainter::Antialiasing);
+  for (const Overlay& overlay : overlays) {
+    painter.save();
+    overlay(painter, ImageTransform());
+    painter.restore();
+  }
+  return image;
+}
+
 ImageDialog::ImageDialog(QImage image, QWidget* parent)
-    : QDialog(parent), image_(std::move(image)) {}
+    : QDialog(parent), image_(std::move(image)) {
+  new CopyFigure(*this, [this] { return image_; });
+}
 
 // The image's size, but no larger than the parent window.
 QSize ImageDialog::sizeHint() const {

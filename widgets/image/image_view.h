@@ -2,6 +2,7 @@
 // it.
 #pragma once
 
+#include "widgets/copy_figure.h"
 #include "widgets/widget_base.h"
 
 #include <QDialog>
@@ -52,11 +53,13 @@ using Overlay = std::function<void(QPainter& painter, const ImageTransform& tran
 
 /// Mouse: wheel zooms about the pointer, dragging pans, double click fits. Keys: + and - zoom, 0
 /// fits, 1 shows an image pixel as a screen pixel, arrows pan. Shift and arrows move the probe by a
-/// pixel, Escape removes it.
+/// pixel, Escape removes it. Ctrl+C copies the image with its overlays.
 class ImageView : public Translated<QWidget> {
   Q_OBJECT
  public:
-  explicit ImageView(QWidget* parent = nullptr);
+  /// `copy_menu`: how its context menu opens.
+  explicit ImageView(QWidget* parent = nullptr,
+                     CopyFigure::Menu copy_menu = CopyFigure::Menu::kByMouseToo);
 
   /// CV_8UC1, shared and not copied. The zoom stays as long as the size does.
   void show_image(const cv::Mat& grey, std::vector<Overlay> overlays);
@@ -111,6 +114,9 @@ class ImageView : public Translated<QWidget> {
 };
 
 // Grey images as Qt draws them.
+
+/// `grey` (CV_8UC1) in its own size, with the overlays.
+[[nodiscard]] QImage image_with_overlays(const cv::Mat& grey, const std::vector<Overlay>& overlays);
 
 /// Shares the pixels (CV_8UC1); valid while `grey` lives.
 [[nodiscard]] inline QImage grey_image(const cv::Mat& grey) {

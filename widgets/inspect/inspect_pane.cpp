@@ -25,7 +25,7 @@ InspectPane::InspectPane(PaneContent content, QWidget* parent)
       title_(wrapped_label()),
       pointer_label_(new QLabel(this)),
       stack_(new QStackedWidget),
-      map_(new ImageView) {
+      map_(new ImageView(nullptr, CopyFigure::Menu::kByKeysOnly)) {
   auto* layout = without_margins(new QVBoxLayout(this));
   layout->addWidget(title_);
   layout->addWidget(stack_, 1);
@@ -234,6 +234,9 @@ FacePane::FacePane(QWidget* parent)
   });
   connect(&pointing_, &QTimer::timeout, this,
           [this] { Q_EMIT pointed_at(pointer_ ? pixel_at(*pointer_) : std::nullopt); });
+  new CopyFigure(
+      *this, [this] { return can_draw() ? grabFramebuffer() : QImage(); },
+      CopyFigure::Menu::kByKeysOnly);
   say([this] { setAccessibleName(tr("Face in 3D")); });
 }
 

@@ -106,11 +106,12 @@ bool ReadingPlot::draw() {
     }
   auto* graph = chart().addGraph();
   graph->setLineStyle(x.size() > 1 ? QCPGraph::lsLine : QCPGraph::lsNone);
-  graph->setPen(QPen(series_colour(0, palette()), 1.5));
-  graph->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, series_colour(0, palette()), 5));
+  graph->setPen(QPen(role_colour(ColourRole::kMeasured, palette()), 1.5));
+  graph->setScatterStyle(
+      QCPScatterStyle(QCPScatterStyle::ssDisc, role_colour(ColourRole::kMeasured, palette()), 5));
   auto* bars = new QCPErrorBars(chart().xAxis, chart().yAxis);
   bars->setDataPlottable(graph);
-  bars->setPen(QPen(series_colour(0, palette()), 1));
+  bars->setPen(QPen(role_colour(ColourRole::kMeasured, palette()), 1));
   for (std::size_t i = 0; i < x.size(); ++i) {
     graph->addData(x[i], values[i]);
     bars->addData(sd[i]);
@@ -182,11 +183,15 @@ void InspectionResults::name_parts() {
   table_->setHeaderLabels({tr("Reading"), tr("Mean"), tr("Spread"), tr("Smallest"), tr("Largest"),
                            tr("Trend"), tr("Pass"), tr("Fail"), tr("Undecided")});
   bar_->setAccessibleName(tr("Progress of the inspection"));
+  save_report_->setToolTip(tr("A PDF to sign, in English"));
+  save_table_->setToolTip(tr("The table that alltact inspect writes, to the byte"));
   plot_->setAccessibleName(tr("The selected reading over the frames"));
   stop_->setText(tr("&Stop"));
+  stop_->setToolTip(tr("Ends the inspection without a result"));
   save_table_->setText(tr("Save &table (CSV)…"));
   save_report_->setText(tr("Save &report (PDF)…"));
   buttons_->button(QDialogButtonBox::Close)->setText(tr("&Close"));
+  buttons_->button(QDialogButtonBox::Close)->setToolTip(tr("Closes this window (Esc)"));
   show_log();
 }
 

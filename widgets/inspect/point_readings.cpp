@@ -433,7 +433,9 @@ void SurfaceBox::name_parts() {
   add_->setText(tr("Add to recipe"));
   add_->setToolTip(tr("The selected reading, at these positions, becomes part of the recipe"));
   copy_text_->setText(tr("Copy as text"));
+  copy_text_->setToolTip(tr("Puts the readings with their units on the clipboard"));
   copy_->setText(tr("Copy as CSV"));
+  copy_->setToolTip(tr("Puts the readings on the clipboard for a spreadsheet"));
   table_->setAccessibleName(tr("Measured between the points"));
   fill();
 }
@@ -574,7 +576,6 @@ QString csv_of(const std::vector<SurfaceReading>& readings) {
 void SectionPlot::set_profiles(Profile profile, std::optional<Profile> other) {
   profile_ = std::move(profile);
   other_ = std::move(other);
-  setAccessibleName(tr("Depth from A to B"));
   rebuild();
 }
 
@@ -604,6 +605,8 @@ QString SectionPlot::csv() const {
   return text;
 }
 
+QString SectionPlot::title() const { return tr("Depth from A to B"); }
+
 QString SectionPlot::empty_text() const { return tr("Choose two points, A and B"); }
 
 bool SectionPlot::draw() {
@@ -627,7 +630,7 @@ bool SectionPlot::draw() {
     upper->addData(profile_.along_mm[i], profile_.depth_mm[i] + profile_.sd_mm[i]);
     lower->addData(profile_.along_mm[i], profile_.depth_mm[i] - profile_.sd_mm[i]);
   }
-  QColor band = series_colour(0, palette());
+  QColor band = role_colour(ColourRole::kMeasured, palette());
   band.setAlpha(60);
   upper->setPen(Qt::NoPen);
   lower->setPen(Qt::NoPen);
@@ -635,11 +638,11 @@ bool SectionPlot::draw() {
   upper->setChannelFillGraph(lower);
   auto* line = chart().addGraph();
   line->setData(vector_of(profile_.along_mm), vector_of(profile_.depth_mm), true);
-  line->setPen(QPen(series_colour(0, palette()), 2));
+  line->setPen(QPen(role_colour(ColourRole::kMeasured, palette()), 2));
   if (other_) {
     auto* second = chart().addGraph();
     second->setData(vector_of(other_->along_mm), vector_of(other_->depth_mm), true);
-    second->setPen(QPen(series_colour(1, palette()), 2, Qt::DashLine));
+    second->setPen(QPen(role_colour(ColourRole::kExpected, palette()), 2, Qt::DashLine));
     widen(other_->depth_mm);
     for (auto* hidden : {upper, lower}) hidden->removeFromLegend();
     line->setName(tr("shown"));

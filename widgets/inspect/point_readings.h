@@ -161,6 +161,7 @@ class SectionPlot : public Plot {
 
  protected:
   bool draw() override;
+  [[nodiscard]] QString title() const override;
   [[nodiscard]] QString empty_text() const override;
 
  private:

@@ -1,6 +1,7 @@
 #include "widgets/inspect/time_line.h"
 
 #include "core/numerics/readable_numbers.h"
+#include "widgets/copy_figure.h"
 #include "widgets/language.h"
 #include "widgets/theme.h"
 #include "widgets/widget_base.h"
@@ -50,7 +51,9 @@ TimeLine::TimeLine(QWidget* parent)
           [this](std::size_t number) { request(static_cast<int>(number)); });
   say([this] {
     slider_->setAccessibleName(tr("Frame of the recording"));
+    slider_->setToolTip(tr("Drag to a frame; arrow keys go frame by frame"));
     number_->setAccessibleName(tr("Current frame"));
+    number_->setToolTip(tr("Number of the shown frame, from 1"));
     of_->setText(tr("of %1").arg(QLocale().toString(static_cast<qulonglong>(count_))));
     name_->setAccessibleName(tr("Frame name"));
     earlier_->setAccessibleName(tr("Previous contact or problem"));
@@ -154,6 +157,7 @@ EventStrip::EventStrip(QWidget* parent) : Translated(parent) {
   setFocusPolicy(Qt::StrongFocus);
   set_accessible_role(*this, QAccessible::Chart);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  new CopyFigure(*this, [this] { return grab().toImage(); });
   say([this] {
     setAccessibleName(tr("Contacts, problems and depth over time"));
     describe();
@@ -266,7 +270,7 @@ std::size_t EventStrip::number_at(double x) const {
 
 void EventStrip::paint_events(QPainter& painter) const {
   const QRect room = plots();
-  QColor contact_colour = palette().color(QPalette::Highlight);
+  QColor contact_colour = role_colour(ColourRole::kContact, palette());
   contact_colour.setAlpha(50);
   const QColor problem = meaning_colour(Meaning::kDoubtful, palette());
   for (std::size_t i = 0; i < frames_.size(); ++i) {
@@ -287,8 +291,7 @@ void EventStrip::paint_events(QPainter& painter) const {
   }
 }
 
-void EventStrip::paint_lane(QPainter& painter, const Lane& lane, const QRect& room,
-                            int colour) const {
+void EventStrip::paint_lane(QPainter& painter, const Lane& lane, const QRect& room) const {
   const QRect words(2, room.top(), room.left() - 6, room.height());
   painter.setPen(palette().color(QPalette::WindowText));
   painter.drawText(words, Qt::AlignLeft | Qt::AlignVCenter, lane.name());
@@ -319,7 +322,7 @@ void EventStrip::paint_lane(QPainter& painter, const Lane& lane, const QRect& ro
     last = at;
     is_down = true;
   }
-  painter.setPen(QPen(series_colour(colour, palette()), 1.5));
+  painter.setPen(QPen(role_colour(ColourRole::kMeasured, palette()), 1.5));
   painter.drawPath(path);
 }
 
@@ -340,8 +343,7 @@ void EventStrip::paintEvent(QPaintEvent*) {
   for (std::size_t i = 0; i < all.size(); ++i)
     paint_lane(painter, all[i],
                QRect(room.left(), room.top() + static_cast<int>(i) * height, room.width(), height)
-                   .adjusted(0, 2, 0, -1),
-               static_cast<int>(i));
+                   .adjusted(0, 2, 0, -1));
   const double now = x_of(static_cast<double>(shown_));
   painter.setPen(QPen(palette().color(QPalette::WindowText), 1.5));
   painter.drawLine(QPointF(now, 0), QPointF(now, this->height()));

@@ -61,7 +61,7 @@ class EventStrip : public Translated<QWidget> {
   [[nodiscard]] double x_of(double number) const;
   [[nodiscard]] std::size_t number_at(double x) const;
   void paint_events(QPainter& painter) const;
-  void paint_lane(QPainter& painter, const Lane& lane, const QRect& room, int colour) const;
+  void paint_lane(QPainter& painter, const Lane& lane, const QRect& room) const;
 
   std::vector<std::optional<FrameSummary>> frames_;
   std::size_t known_ = 0, shown_ = 0;

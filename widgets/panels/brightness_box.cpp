@@ -2,6 +2,7 @@
 
 #include "calibration/checks/rig_check.h"
 #include "core/image/grey_range.h"
+#include "widgets/copy_figure.h"
 #include "widgets/language.h"
 #include "widgets/theme.h"
 
@@ -16,6 +17,7 @@ namespace alltact {
 LevelsPlot::LevelsPlot(QWidget* parent) : QWidget(parent) {
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   set_accessible_role(*this, QAccessible::Chart);
+  new CopyFigure(*this, [this] { return grab().toImage(); });
 }
 
 void LevelsPlot::set_data(const std::optional<FaceLevels>& levels) {
@@ -36,7 +38,7 @@ void LevelsPlot::paintEvent(QPaintEvent*) {
       const bool is_bright = level + FaceLevels::kLevelsPerBin > kClippedFrom;
       const bool is_dark = level < kTooDarkBelow;
       const QColor colour = is_bright || is_dark ? meaning_colour(Meaning::kBad, palette())
-                                                 : series_colour(0, palette());
+                                                 : role_colour(ColourRole::kMeasured, palette());
       // The root shows a few clipped pixels next to many others.
       const double bar_height =
           std::max(1.0, std::sqrt(static_cast<double>(counts[i]) / most) * (height() - 2));

@@ -67,21 +67,21 @@ QString FrameStrip::name_of(FrameUse use) {
 QColor FrameStrip::colour_of(FrameUse use) const {
   switch (use) {
     case FrameUse::kRetained:
-      return series_colour(0, palette());
+      return role_colour(ColourRole::kMeasured, palette());
     case FrameUse::kRepeatsPose:
     case FrameUse::kRepresented: {
-      QColor pale = series_colour(0, palette());
+      QColor pale = role_colour(ColourRole::kMeasured, palette());
       pale.setAlphaF(use == FrameUse::kRepeatsPose ? 0.5F : 0.25F);
       return pale;
     }
     case FrameUse::kInContact:
-      return meaning_colour(Meaning::kBad, palette());
+      return role_colour(ColourRole::kContact, palette());
     case FrameUse::kExcluded:
-      return meaning_colour(Meaning::kDoubtful, palette());
+      return role_colour(ColourRole::kLeftOut, palette());
     case FrameUse::kUnusable:
       break;
   }
-  return palette().color(QPalette::Disabled, QPalette::Text);
+  return meaning_colour(Meaning::kDoubtful, palette());
 }
 
 int FrameStrip::count_of(FrameUse use) const {

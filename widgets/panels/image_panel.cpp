@@ -225,18 +225,6 @@ QString proposed_file() {
 
 }  // namespace
 
-QImage image_with_overlays(const cv::Mat& grey, const std::vector<Overlay>& overlays) {
-  QImage image = grey_image(grey).convertToFormat(QImage::Format_RGB32);
-  QPainter painter(&image);
-  painter.setRenderHint(QPainter::Antialiasing);
-  for (const Overlay& overlay : overlays) {
-    painter.save();
-    overlay(painter, ImageTransform());
-    painter.restore();
-  }
-  return image;
-}
-
 void choose_snapshot(const cv::Mat& grey, const std::vector<Overlay>& overlays, QWidget& parent) {
   auto* dialog = new QFileDialog(&parent, ImagePanel::tr("Save the image"), proposed_file());
   dialog->setAcceptMode(QFileDialog::AcceptSave);

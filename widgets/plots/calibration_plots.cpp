@@ -12,9 +12,10 @@ namespace alltact {
 
 void MappingPlot::set_data(MappingPlotData data) {
   data_ = std::move(data);
-  setAccessibleName(tr("Mapping from brightness to depth"));
   rebuild();
 }
+
+QString MappingPlot::title() const { return tr("Mapping from brightness to depth"); }
 
 QString MappingPlot::empty_text() const {
   return tr("No mapping yet: calibrate with ball presses");
@@ -28,7 +29,7 @@ void MappingPlot::draw_band() {
     low->addData(point.x, point.depth_mm - 2 * point.sd_mm);
     high->addData(point.x, point.depth_mm + 2 * point.sd_mm);
   }
-  QColor colour = series_colour(1, palette());
+  QColor colour = role_colour(ColourRole::kExpected, palette());
   low->setPen(Qt::NoPen);
   high->setPen(Qt::NoPen);
   colour.setAlpha(90);
@@ -40,8 +41,7 @@ void MappingPlot::draw_band() {
 
 void MappingPlot::draw_points(bool certain, const QString& name) {
   auto* cloud = chart().addGraph();
-  QColor colour =
-      certain ? series_colour(0, palette()) : palette().color(QPalette::Disabled, QPalette::Text);
+  QColor colour = role_colour(certain ? ColourRole::kMeasured : ColourRole::kLeftOut, palette());
   colour.setAlpha(certain ? 170 : 120);
   cloud->setLineStyle(QCPGraph::lsNone);
   cloud->setScatterStyle(QCPScatterStyle(
@@ -71,7 +71,7 @@ bool MappingPlot::draw() {
   draw_chosen();
   auto* curve = chart().addGraph();
   for (const auto& point : data_.curve) curve->addData(point.x, point.depth_mm);
-  curve->setPen(QPen(series_colour(1, palette()), 2));
+  curve->setPen(QPen(role_colour(ColourRole::kExpected, palette()), 2));
   curve->setName(tr("mapping"));
 
   double deepest = 0, darkest = data_.x_max;
@@ -118,7 +118,7 @@ class PowersOfTen final : public QCPAxisTickerLog {
 }  // namespace
 
 ConvergencePlot::ConvergencePlot(QWidget* parent) : Plot(parent) {
-  setAccessibleName(tr("Convergence of the solution"));
+  setAccessibleName(ConvergencePlot::title());
 }
 
 void ConvergencePlot::set_rounds(const std::vector<Round>& rounds) {
@@ -131,6 +131,8 @@ void ConvergencePlot::set_rounds(const std::vector<Round>& rounds) {
   rebuild();
 }
 
+QString ConvergencePlot::title() const { return tr("Convergence of the solution"); }
+
 QString ConvergencePlot::empty_text() const { return tr("Convergence has not started yet"); }
 
 void ConvergencePlot::draw_residual() {
@@ -141,8 +143,9 @@ void ConvergencePlot::draw_residual() {
     most = std::max(most, rounds_[i].residual_mm);
   }
   line->setName(tr("Residual"));
-  line->setPen(QPen(series_colour(0, palette()), 2));
-  line->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, series_colour(0, palette()), 6));
+  line->setPen(QPen(role_colour(ColourRole::kMeasured, palette()), 2));
+  line->setScatterStyle(
+      QCPScatterStyle(QCPScatterStyle::ssDisc, role_colour(ColourRole::kMeasured, palette()), 6));
   chart().yAxis->setRange(0, most > 0 ? 1.25 * most : 1);
   chart().yAxis->setLabel(tr("Residual (mm)"));
 }
@@ -159,8 +162,9 @@ void ConvergencePlot::draw_change() {
     most = std::max(most, change);
   }
   line->setName(tr("Change"));
-  line->setPen(QPen(series_colour(1, palette()), 2, Qt::DashLine));
-  line->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssSquare, series_colour(1, palette()), 6));
+  const QColor colour = series_colour(2, palette());
+  line->setPen(QPen(colour, 2, Qt::DashLine));
+  line->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssSquare, colour, 6));
   axis.setTicks(true);
   axis.setTickLabels(true);
   axis.setScaleType(QCPAxis::stLogarithmic);
@@ -201,10 +205,11 @@ void HistogramPlot::set_data(std::vector<double> errors_mm, const QString& axis)
   error_95_mm_ =
       sizes.empty() ? 0.0
                     : sizes[static_cast<std::size_t>(0.95 * static_cast<double>(sizes.size() - 1))];
-  setAccessibleName(tr("Distribution of errors"));
   setAccessibleDescription(tr("95 % of the errors are below %1 mm.").arg(error_95_mm_, 0, 'f', 3));
   rebuild();
 }
+
+QString HistogramPlot::title() const { return tr("Distribution of errors"); }
 
 QString HistogramPlot::empty_text() const { return tr("No errors to show yet"); }
 
@@ -229,7 +234,7 @@ bool HistogramPlot::draw() {
   auto* bars = new QCPBars(chart().xAxis, chart().yAxis);
   bars->setWidth(width);
   bars->setPen(QPen(palette().color(QPalette::Base), 1));
-  bars->setBrush(series_colour(0, palette()));
+  bars->setBrush(role_colour(ColourRole::kMeasured, palette()));
   double most = 0;
   for (int i = 0; i < kBins; ++i) {
     const double share =
@@ -248,9 +253,10 @@ bool HistogramPlot::draw() {
 
 void ContrastPlot::set_data(std::vector<double> contrasts) {
   contrasts_ = std::move(contrasts);
-  setAccessibleName(tr("Contrast of fine relief"));
   rebuild();
 }
+
+QString ContrastPlot::title() const { return tr("Contrast of fine relief"); }
 
 QString ContrastPlot::empty_text() const { return tr("The resolution is not known"); }
 
@@ -262,7 +268,7 @@ bool ContrastPlot::draw() {
     line->addData(DepthResolution::wave_per_mm(static_cast<int>(i)), contrasts_[i]);
     highest = std::max(highest, contrasts_[i]);
   }
-  line->setPen(QPen(series_colour(0, palette()), 2));
+  line->setPen(QPen(role_colour(ColourRole::kMeasured, palette()), 2));
   const double last = DepthResolution::wave_per_mm(static_cast<int>(contrasts_.size()) - 1);
   chart().xAxis->setLabel(tr("Waves per mm of the face"));
   chart().yAxis->setLabel(tr("Contrast of depth"));
@@ -281,9 +287,10 @@ void HistoryPlot::set_data(HistoryData data) {
   data_ = std::move(data);
   std::stable_sort(data_.points.begin(), data_.points.end(),
                    [](const auto& a, const auto& b) { return a.time_s < b.time_s; });
-  setAccessibleName(tr("Checks over time"));
   rebuild();
 }
+
+QString HistoryPlot::title() const { return tr("Checks over time"); }
 
 QString HistoryPlot::empty_text() const { return tr("Not checked yet since the calibration"); }
 
@@ -317,8 +324,9 @@ bool HistoryPlot::draw() {
 
   auto* line = chart().addGraph();
   for (const auto& point : data_.points) line->addData(point.time_s, point.error_mm);
-  line->setPen(QPen(series_colour(0, palette()), 2));
-  line->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, series_colour(0, palette()), 7));
+  line->setPen(QPen(role_colour(ColourRole::kMeasured, palette()), 2));
+  line->setScatterStyle(
+      QCPScatterStyle(QCPScatterStyle::ssDisc, role_colour(ColourRole::kMeasured, palette()), 7));
   QSharedPointer<QCPAxisTickerDateTime> dates(new QCPAxisTickerDateTime);
   dates->setDateTimeSpec(Qt::UTC);
   // In two lines: one would run into the next in a narrow column.

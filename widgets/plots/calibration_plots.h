@@ -33,6 +33,8 @@ class MappingPlot : public Plot {
 
  protected:
   bool draw() override;
+  [[nodiscard]] QString title() const override;
+  [[nodiscard]] bool shows_title() const override { return !data_.is_small; }
   [[nodiscard]] QString empty_text() const override;
 
  private:
@@ -54,6 +56,7 @@ class ConvergencePlot : public Plot {
 
  protected:
   bool draw() override;
+  [[nodiscard]] QString title() const override;
   [[nodiscard]] QString empty_text() const override;
 
  private:
@@ -77,6 +80,7 @@ class HistogramPlot : public Plot {
 
  protected:
   bool draw() override;
+  [[nodiscard]] QString title() const override;
   [[nodiscard]] QString empty_text() const override;
 
  private:
@@ -98,6 +102,7 @@ class ContrastPlot : public Plot {
 
  protected:
   bool draw() override;
+  [[nodiscard]] QString title() const override;
   [[nodiscard]] QString empty_text() const override;
 
  private:
@@ -124,6 +129,7 @@ class HistoryPlot : public Plot {
 
  protected:
   bool draw() override;
+  [[nodiscard]] QString title() const override;
   [[nodiscard]] QString empty_text() const override;
 
  private:

@@ -30,7 +30,6 @@ FaceMapPlot::~FaceMapPlot() = default;
 
 void FaceMapPlot::set_data(FaceMapData data) {
   data_ = std::move(data);
-  setAccessibleName(tr("%1 over the face").arg(data_.quantity));
   rebuild();
 }
 
@@ -58,6 +57,8 @@ std::optional<std::size_t> FaceMapPlot::contact_at(const QPointF& pixel) const {
   return found;
 }
 
+QString FaceMapPlot::title() const { return tr("%1 over the face").arg(data_.quantity); }
+
 QString FaceMapPlot::empty_text() const { return tr("No data for the face yet"); }
 
 void FaceMapPlot::draw_cells() {
@@ -78,7 +79,8 @@ void FaceMapPlot::draw_cells() {
   map->setInterpolate(false);
   map->setTightBoundary(false);
   auto* scale = new QCPColorScale(&chart());
-  chart().plotLayout()->addElement(0, 1, scale);
+  const int row = chart().plotLayout()->rowCount() - 1;  // that of the axes
+  chart().plotLayout()->addElement(row, 1, scale);
   scale_ = scale;
   scale->setBarWidth(12);
   map->setColorScale(scale);
@@ -105,8 +107,9 @@ void FaceMapPlot::draw_contacts() {
     const int width = contact.is_chosen || contact.is_target ? 3 : 1;
     // A light line below a dark one, or vice versa, shows on every colour of the map.
     add_circle(contact, QPen(palette().color(QPalette::Base), width + 2));
-    add_circle(contact, contact.is_target ? QPen(series_colour(1, palette()), width, Qt::DashLine)
-                                          : QPen(palette().color(QPalette::Text), width));
+    add_circle(contact, QPen(palette().color(QPalette::Text), width));
+    if (contact.is_target)
+      add_circle(contact, QPen(role_colour(ColourRole::kExpected, palette()), width, Qt::DashLine));
     if (!contact.name.empty())
       add_note(contact.along_mm, contact.across_mm - contact.radius_mm,
                QString::fromStdString(contact.name), Qt::AlignHCenter | Qt::AlignBottom);

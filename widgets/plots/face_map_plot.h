@@ -40,6 +40,7 @@ class FaceMapPlot : public Plot {
  protected:
   bool draw() override;
   void fit(const QSize& size) override;
+  [[nodiscard]] QString title() const override;
   [[nodiscard]] QString empty_text() const override;
 
  private:

@@ -1,5 +1,6 @@
 #include "widgets/plots/plot.h"
 
+#include "widgets/copy_figure.h"
 #include "widgets/plots/custom_plot.h"
 #include "widgets/widget_base.h"
 
@@ -33,31 +34,45 @@ QString broken(const QString& text, const QFontMetrics& metrics, int room) {
 
 }  // namespace
 
-Plot::Plot(QWidget* parent) : QWidget(parent), chart_(new QCustomPlot(this)) {
+Plot::Plot(QWidget* parent)
+    : QWidget(parent), chart_(new QCustomPlot(this)), title_(new QCPTextElement(chart_)) {
   auto* layout = without_margins(new QVBoxLayout(this));
   layout->addWidget(chart_);
   chart_->setFocusPolicy(Qt::NoFocus);  // the plot around it has the name and the keys
   setMinimumSize(220, 160);
   chart_->setNotAntialiasedElements(QCP::aeNone);
+  setFocusPolicy(Qt::ClickFocus);
+  set_accessible_role(*this, QAccessible::Chart);
+  new CopyFigure(*this, [this] { return figure(); });
 }
 
 Plot::~Plot() = default;
 
+/// As it is shown, sharp enough for a slide.
+QImage Plot::figure() {
+  constexpr double kSharpness = 2;
+  return chart_->toPixmap(width(), height(), kSharpness).toImage();
+}
+
 QImage Plot::image(const QSize& size, double scale) {
   ensurePolished();
-  draw_now(size);
-  return chart_->toPixmap(size.width(), size.height(), scale).toImage();
+  draw_now(size, false);
+  QImage image = chart_->toPixmap(size.width(), size.height(), scale).toImage();
+  rebuild();  // as it is shown
+  return image;
 }
 
 bool Plot::save_pdf(const QString& file, const QSize& size) {
   ensurePolished();
-  draw_now(size);
-  return chart_->savePdf(file, size.width(), size.height(), QCP::epAllowCosmetic);
+  draw_now(size, false);
+  const bool is_saved = chart_->savePdf(file, size.width(), size.height(), QCP::epAllowCosmetic);
+  rebuild();
+  return is_saved;
 }
 
 bool Plot::save_svg(const QString& file, const QSize& size) {
   ensurePolished();
-  draw_now(size);
+  draw_now(size, false);
   QSvgGenerator drawing;
   drawing.setFileName(file);
   drawing.setSize(size);
@@ -69,6 +84,7 @@ bool Plot::save_svg(const QString& file, const QSize& size) {
   painter.setMode(QCPPainter::pmVectorized);
   painter.setMode(QCPPainter::pmNoCaching);
   chart_->toPainter(&painter, size.width(), size.height());
+  rebuild();
   return painter.end();
 }
 
@@ -81,7 +97,8 @@ void Plot::changeEvent(QEvent* event) {
 
 void Plot::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
-  if (is_stale_) draw_now(this->size());
+  setAccessibleName(title());
+  if (is_stale_) draw_now(size(), true);
 }
 
 void Plot::resizeEvent(QResizeEvent* event) {
@@ -94,16 +111,19 @@ void Plot::resizeEvent(QResizeEvent* event) {
 
 void Plot::rebuild() {
   is_stale_ = true;
-  if (isVisible()) draw_now(size());
+  setAccessibleName(title());
+  if (isVisible()) draw_now(size(), true);
 }
 
-void Plot::draw_now(const QSize& size) {
+void Plot::draw_now(const QSize& size, bool is_titled) {
   is_stale_ = false;
   chart_->clearPlottables();
   chart_->clearItems();
   apply_style();
   titles_.clear();
-  if (!draw()) {
+  const bool is_drawn = draw();
+  set_title(is_drawn && is_titled && shows_title() ? title() : QString());
+  if (!is_drawn) {
     for (QCPAxis* axis : {chart_->xAxis, chart_->yAxis, chart_->xAxis2, chart_->yAxis2})
       axis->setVisible(false);
     auto* text = new QCPItemText(chart_);
@@ -118,6 +138,21 @@ void Plot::draw_now(const QSize& size) {
   fit_text(size);
   fit(size);
   chart_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+/// Takes no room without a title.
+void Plot::set_title(const QString& title) {
+  QCPLayoutGrid* layout = chart_->plotLayout();
+  const bool is_shown = title_->layout() != nullptr;
+  title_->setText(title);
+  title_->setVisible(!title.isEmpty());
+  if (title.isEmpty() && is_shown) {
+    layout->take(title_);
+    layout->simplify();
+  } else if (!title.isEmpty() && !is_shown) {
+    layout->insertRow(0);
+    layout->addElement(0, 0, title_);
+  }
 }
 
 void Plot::style_axis(QCPAxis* axis) const {
@@ -152,6 +187,10 @@ void Plot::apply_style() {
     axis->setTicks(false);
     axis->setTickLabels(false);
   }
+  QFont bold = font();
+  bold.setBold(true);
+  title_->setFont(bold);
+  title_->setTextColor(palette().color(QPalette::Text));
   chart_->legend->setVisible(false);
   chart_->legend->setFont(font());
   chart_->legend->setTextColor(palette().color(QPalette::Text));
@@ -180,9 +219,10 @@ void Plot::show_legend() {
   legend->setVisible(true);
   if (legend->layout() == chart_->plotLayout()) return;
   chart_->axisRect()->insetLayout()->take(legend);
-  chart_->plotLayout()->insertRow(0);
-  chart_->plotLayout()->addElement(0, 0, legend);
-  chart_->plotLayout()->setRowStretchFactor(0, 1e-3);
+  const int row = title_->layout() == nullptr ? 0 : 1;
+  chart_->plotLayout()->insertRow(row);
+  chart_->plotLayout()->addElement(row, 0, legend);
+  chart_->plotLayout()->setRowStretchFactor(row, 1e-3);
 }
 
 void Plot::fit_text(const QSize& size) {

@@ -7,12 +7,14 @@
 #include <vector>
 
 class QCPAxis;
+class QCPTextElement;
 class QCustomPlot;
 
 namespace alltact {
 
 /// A self-contained plot: it takes plain values, reads no files, follows the palette and the font
-/// of its widget, and can be drawn without being shown.
+/// of its widget, and can be drawn without being shown. Shown or copied it has its title above; an
+/// image or a file has none, for documents write their own.
 class Plot : public QWidget {
   Q_OBJECT
  public:
@@ -31,6 +33,10 @@ class Plot : public QWidget {
   void showEvent(QShowEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
+  /// Above the shown plot, and its accessible name: by default that which was set.
+  [[nodiscard]] virtual QString title() const { return accessibleName(); }
+  /// False: there is no room for the title.
+  [[nodiscard]] virtual bool shows_title() const { return true; }
   /// Draws the data into chart(), which is empty and has the theme's style. False: there is nothing
   /// to draw. Called again whenever data or palette change.
   virtual bool draw() = 0;
@@ -51,12 +57,15 @@ class Plot : public QWidget {
   void show_legend();
 
  private:
-  void draw_now(const QSize& size);
+  void draw_now(const QSize& size, bool is_titled);
+  void set_title(const QString& title);
+  [[nodiscard]] QImage figure();
   void apply_style();
   void style_axis(QCPAxis* axis) const;
   /// Wraps the titles of axes and the legend to the size.
   void fit_text(const QSize& size);
   QCustomPlot* chart_;
+  QCPTextElement* title_;
   std::vector<std::pair<QCPAxis*, QString>> titles_;  ///< of axes, each in one line
   bool is_stale_ = true;
 };

@@ -46,7 +46,6 @@ void PressErrorPlot::set_data(std::vector<PressError> errors) {
 void PressErrorPlot::enable_choice() {
   can_choose_ = true;
   setFocusPolicy(Qt::StrongFocus);
-  set_accessible_role(*this, QAccessible::Chart);
   connect(&chart(), &QCustomPlot::mousePress, this, [this](QMouseEvent* event) {
     if (event->button() == Qt::LeftButton) press(event->position());
   });
@@ -74,7 +73,6 @@ void PressErrorPlot::choose_by_hand(const std::string& press) {
 }
 
 void PressErrorPlot::announce() {
-  setAccessibleName(tr("Error of every press, worst first"));
   if (errors_.empty()) return;
   const auto words = [](const QString& sentence, const PressError& error) {
     return sentence.arg(QString::fromStdString(error.press),
@@ -151,15 +149,17 @@ void PressErrorPlot::draw_chosen() {
   frame->bottomRight->setTypeX(QCPItemPosition::ptAxisRectRatio);
   frame->topLeft->setCoords(0, middle + 0.5);
   frame->bottomRight->setCoords(1, middle - 0.5);
-  QColor inside = palette().color(QPalette::Highlight);
+  QColor inside = role_colour(ColourRole::kChosen, palette());
   frame->setPen(QPen(inside, 2));
   inside.setAlpha(50);
   frame->setBrush(inside);
 }
 
+QString PressErrorPlot::title() const { return tr("Error of every press, worst first"); }
+
 QString PressErrorPlot::empty_text() const { return tr("No presses yet"); }
 
-int PressErrorPlot::comfortable_height() const { return 130 + 30 * std::max(2, shown()); }
+int PressErrorPlot::comfortable_height() const { return 150 + 30 * std::max(2, shown()); }
 
 bool PressErrorPlot::draw() {
   if (errors_.empty()) return false;
@@ -177,10 +177,10 @@ bool PressErrorPlot::draw() {
   }
   own->setName(tr("with this press in the mapping"));
   own->setPen(Qt::NoPen);
-  own->setBrush(series_colour(0, palette()));
+  own->setBrush(role_colour(ColourRole::kMeasured, palette()));
   held_out->setName(tr("without this press: its error"));
-  held_out->setPen(QPen(series_colour(1, palette()), 1));
-  held_out->setBrush(QBrush(series_colour(1, palette()), Qt::Dense4Pattern));
+  held_out->setPen(QPen(role_colour(ColourRole::kExpected, palette()), 1));
+  held_out->setBrush(QBrush(role_colour(ColourRole::kExpected, palette()), Qt::Dense4Pattern));
 
   QSharedPointer<QCPAxisTickerText> names(new QCPAxisTickerText);
   bool any_held_out = false;
@@ -210,9 +210,10 @@ bool PressErrorPlot::draw() {
 void PressLightPlot::set_data(std::vector<PressLight> presses, double limit_percent) {
   presses_ = std::move(presses);
   limit_percent_ = limit_percent;
-  setAccessibleName(tr("Light of every press"));
   rebuild();
 }
+
+QString PressLightPlot::title() const { return tr("Light of every press"); }
 
 QString PressLightPlot::empty_text() const { return tr("No presses yet"); }
 
@@ -221,7 +222,7 @@ bool PressLightPlot::draw() {
   auto* bars = new QCPBars(chart().xAxis, chart().yAxis);
   bars->setWidth(0.6);
   bars->setPen(Qt::NoPen);
-  bars->setBrush(series_colour(0, palette()));
+  bars->setBrush(role_colour(ColourRole::kMeasured, palette()));
   double reach = 1.3 * limit_percent_;
   double number = 1;
   for (const PressLight& press : presses_) {

@@ -41,6 +41,7 @@ class PressErrorPlot : public Plot {
  protected:
   void keyPressEvent(QKeyEvent* event) override;
   bool draw() override;
+  [[nodiscard]] QString title() const override;
   [[nodiscard]] QString empty_text() const override;
 
  private:
@@ -73,6 +74,7 @@ class PressLightPlot : public Plot {
 
  protected:
   bool draw() override;
+  [[nodiscard]] QString title() const override;
   [[nodiscard]] QString empty_text() const override;
 
  private:

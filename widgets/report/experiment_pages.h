@@ -36,6 +36,7 @@ class ExperimentFigurePlot : public Plot {
 
  protected:
   bool draw() override;
+  [[nodiscard]] bool shows_title() const override { return false; }
   [[nodiscard]] QString empty_text() const override;
 
  private:

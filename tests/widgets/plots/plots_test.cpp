@@ -1,4 +1,5 @@
 // Plots are looked at as pictures: what is given must be seen, in every theme, and nothing else.
+#include "core/image/colour_map.h"
 #include "tests/support/program.h"
 #include "widgets/plots/calibration_plots.h"
 #include "widgets/plots/custom_plot.h"
@@ -108,6 +109,127 @@ class PlotsInThemes : public testing::TestWithParam<Theme> {
 };
 INSTANTIATE_TEST_SUITE_P(Theme, PlotsInThemes,
                          testing::Values(Theme::kLight, Theme::kDark, Theme::kHighContrast));
+
+double luminance(const QColor& colour) {
+  const auto linear = [](double part) {
+    return part <= 0.04045 ? part / 12.92 : std::pow((part + 0.055) / 1.055, 2.4);
+  };
+  return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) +
+         0.0722 * linear(colour.blueF());
+}
+
+double contrast(const QColor& a, const QColor& b) {
+  const double first = luminance(a), second = luminance(b);
+  return (std::max(first, second) + 0.05) / (std::min(first, second) + 0.05);
+}
+
+/// Names and circles over a map can be seen on each of its colours, from purple to yellow.
+TEST_P(PlotsInThemes, NotesAndCirclesStandOutOnEveryColourOfTheMap) {
+  FaceMapPlot plot;
+  plot.setPalette(theme_palette(GetParam()));
+  FaceMapData data = some_face();
+  data.contacts.push_back({60, 0, 4, "press_2", true});
+  plot.set_data(data);
+  ASSERT_FALSE(plot.image({600, 300}).isNull());
+  const auto* chart = plot.findChild<QCustomPlot*>();
+  int notes = 0;
+  std::map<std::pair<double, double>, std::vector<QColor>> circles;
+  for (int i = 0; i < chart->itemCount(); ++i) {
+    if (auto* circle = qobject_cast<QCPItemEllipse*>(chart->item(i)))
+      circles[{circle->topLeft->coords().x(), circle->topLeft->coords().y()}].push_back(
+          circle->pen().color());
+    const auto* note = qobject_cast<QCPItemText*>(chart->item(i));
+    if (note == nullptr) continue;
+    ++notes;
+    const QColor ground = note->brush().color();
+    ASSERT_NE(note->brush().style(), Qt::NoBrush);
+    for (int step = 0; step <= 10; ++step) {
+      const MapColour map = viridis(step / 10.0);
+      const auto mixed = [&](int over, int under) {
+        return static_cast<int>(ground.alphaF() * over + (1 - ground.alphaF()) * under);
+      };
+      const QColor behind(mixed(ground.red(), map.red), mixed(ground.green(), map.green),
+                          mixed(ground.blue(), map.blue));
+      EXPECT_GE(contrast(note->color(), behind), 4.5) << note->text().toStdString();
+    }
+  }
+  EXPECT_EQ(notes, 3);
+  ASSERT_EQ(circles.size(), 3U);
+  for (const auto& [where, lines] : circles) {
+    ASSERT_GE(lines.size(), 2U) << "a line and its edge";
+    EXPECT_GE(contrast(lines[0], lines[1]), 3);
+    for (int step = 0; step <= 10; ++step) {
+      const MapColour map = viridis(step / 10.0);
+      const QColor behind(map.red, map.green, map.blue);
+      EXPECT_GE(std::max(contrast(lines[0], behind), contrast(lines[1], behind)), 3);
+    }
+  }
+}
+
+/// Measured values and what is expected of them have the same two colours in every plot.
+TEST_P(PlotsInThemes, HaveTheColoursOfTheirRoles) {
+  const QPalette palette = theme_palette(GetParam());
+  const QColor measured = role_colour(ColourRole::kMeasured, palette),
+               expected = role_colour(ColourRole::kExpected, palette);
+  MappingPlot mapping;
+  mapping.set_data(some_mapping());
+  PressErrorPlot errors;
+  errors.set_data(some_errors(6));
+  HistoryPlot history;
+  history.set_data(some_history());
+  for (Plot* plot : std::initializer_list<Plot*>{&mapping, &errors, &history}) {
+    plot->setPalette(palette);
+    const QImage image = plot->image({600, 400});
+    const std::string name = plot->accessibleName().toStdString();
+    // The points of the mapping are translucent.
+    if (plot != &mapping) {
+      EXPECT_GT(count_of(image, measured, 12), 100) << name;
+    }
+    if (plot != &history) {
+      EXPECT_GT(count_of(image, expected, 12), 100) << name;
+    }
+  }
+}
+
+/// Shown it has its title above the axes; an image for a document has none.
+TEST(Plots, HaveTheirTitleWhereTheyAreShown) {
+  MappingPlot mapping;
+  mapping.set_data(some_mapping());
+  PressErrorPlot errors;
+  errors.set_data(some_errors(6));
+  PressLightPlot light;
+  light.set_data({{"press_0", 1.5}, {"press_1", -0.5}}, 2);
+  FaceMapPlot face;
+  face.set_data(some_face());
+  HistogramPlot histogram;
+  histogram.set_data(some_residuals(), "Residual (mm)");
+  HistoryPlot history;
+  history.set_data(some_history());
+  for (Plot* plot :
+       std::initializer_list<Plot*>{&mapping, &errors, &light, &face, &histogram, &history}) {
+    plot->resize(500, 360);
+    plot->show();
+    QTest::qWait(60);
+    const auto* chart = plot->findChild<QCustomPlot*>();
+    const auto title = [&]() -> QCPTextElement* {
+      for (int i = 0; i < chart->plotLayout()->elementCount(); ++i)
+        if (auto* text = qobject_cast<QCPTextElement*>(chart->plotLayout()->elementAt(i)))
+          return text;
+      return nullptr;
+    };
+    ASSERT_NE(title(), nullptr) << plot->accessibleName().toStdString();
+    EXPECT_FALSE(title()->text().isEmpty());
+    EXPECT_EQ(title()->text(), plot->accessibleName());
+    EXPECT_LE(title()->outerRect().bottom(), chart->axisRect()->rect().top());
+    const int top = chart->axisRect()->rect().top();
+    const QImage image = plot->image({500, 360});
+    EXPECT_NE(title(), nullptr) << "it is shown as before";
+    plot->hide();
+    EXPECT_EQ(plot->image({500, 360}), image) << "without the title, shown or not";
+    EXPECT_EQ(title(), nullptr);
+    EXPECT_LT(chart->axisRect()->rect().top(), top + 1);
+  }
+}
 
 TEST_P(PlotsInThemes, AreDrawn) {
   MappingPlot mapping;
@@ -367,7 +489,7 @@ TEST(ConvergencePlot, ShowsBothFiguresOfEveryRoundAndGrows) {
     plot.set_rounds(rounds);
     const QImage image = shown(plot, size, "convergence");
     const int residual = count_of(image, series_colour(0, plot.palette()));
-    EXPECT_GT(count_of(image, series_colour(1, plot.palette())), 20);
+    EXPECT_GT(count_of(image, series_colour(2, plot.palette())), 20);
     if (i == 5) {
       EXPECT_GT(residual, before) << "a line where there was a dot";
     }
