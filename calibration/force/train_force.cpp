@@ -490,22 +490,21 @@ Status check_force_markers(const ForceTable& table, const Finger& finger) {
   return {};
 }
 
-Result<TrainedForce> train_finger_force(const fs::path& folder, const ForceTable& table,
-                                        const ForceTraining& options, const Job& job) {
-  const auto store = FingerStore::of(folder);
-  const auto before = store->snapshot();
-  if (!before) return before.error();
-  const Finger& finger = (*before)->finger;
+Result<TrainedForce> train_for_finger(const Finger& finger, const ForceTable& table,
+                                      const ForceTraining& options, const Job& job) {
   if (const Status fits = check_force_markers(table, finger); !fits) return fits.error();
-  const auto lock = store->lock_for_work("training the force model");
-  if (!lock) return lock.error();
   auto trained = train_force(table, finger.contact->rest_markers, options, job);
   if (!trained) return trained.error();
+  trained->model.missing = finger.markers.missing;
+  write_record(*trained, options, trained->model);
+  return trained;
+}
+
+Status install_force(const fs::path& folder, const ForceTable& table, TrainedForce& trained) {
+  const auto store = FingerStore::of(folder);
   const std::string csv = table.to_csv();
   const fs::path table_file = fs::path(kForceFolder) / ("table-" + hash_of(csv) + ".csv");
-  ForceModel& model = trained->model;
-  model.missing = finger.markers.missing;
-  write_record(*trained, options, model);
+  ForceModel& model = trained.model;
   model.record[kForceTable] = table_file.generic_string();
   if (const Status valid = model.validate(); !valid) return valid.error();
   const std::string json = model.to_json();
@@ -524,6 +523,20 @@ Result<TrainedForce> train_finger_force(const fs::path& folder, const ForceTable
     return {};
   });
   if (!saved) return saved.error();
+  return {};
+}
+
+Result<TrainedForce> train_finger_force(const fs::path& folder, const ForceTable& table,
+                                        const ForceTraining& options, const Job& job) {
+  const auto store = FingerStore::of(folder);
+  const auto before = store->snapshot();
+  if (!before) return before.error();
+  const auto lock = store->lock_for_work("training the force model");
+  if (!lock) return lock.error();
+  auto trained = train_for_finger((*before)->finger, table, options, job);
+  if (!trained) return trained.error();
+  if (const Status installed = install_force(folder, table, *trained); !installed)
+    return installed.error();
   return trained;
 }
 

@@ -75,11 +75,19 @@ struct TrainedForce {
 
 // Trains the force model of a finger on disk, and restores the previous one.
 
-/// Trains a model and saves it in the finger, as force/model-HASH.json with its table. Both are
-/// named after their content, so an earlier model stays, and revert_force() returns to it.
-/// Errors, after which the finger is unchanged: a finger without markers or without reference; a
-/// table of other markers; those of train_force and FingerStore::update; another process works on
-/// the finger.
+/// Trains a model for the finger and changes nothing. Errors: a finger without markers or without
+/// reference; a table of other markers; those of train_force.
+[[nodiscard]] Result<TrainedForce> train_for_finger(const Finger& finger, const ForceTable& table,
+                                                    const ForceTraining& options, const Job& job);
+/// Saves a model of train_for_finger() in the finger, as force/model-HASH.json with its table. Both
+/// are named after their content, so an earlier model stays, and revert_force() returns to it. The
+/// model's record gets the table's name. Errors, after which the finger is unchanged: those of
+/// FingerStore::update.
+[[nodiscard]] Status install_force(const std::filesystem::path& folder, const ForceTable& table,
+                                   TrainedForce& trained);
+
+/// Both, while the finger is locked. Errors, after which the finger is unchanged: those of both;
+/// another process works on the finger.
 [[nodiscard]] Result<TrainedForce> train_finger_force(const std::filesystem::path& folder,
                                                       const ForceTable& table,
                                                       const ForceTraining& options, const Job& job);

@@ -8,6 +8,7 @@
 #include "widgets/language.h"
 #include "widgets/live/touch_history.h"
 #include "widgets/panels/force_box.h"
+#include "widgets/shell/force_dialog.h"
 #include "widgets/shell/page.h"
 #include "widgets/theme.h"
 #include "widgets/undo_step.h"
@@ -47,8 +48,8 @@ InspectPage::InspectPage(LiveSession& session, QUndoStack& undo, QWidget* parent
       pair_box_(new PairBox(pair_)),
       contact_(new ContactBox),
       force_(new ForceBox([this] { return shown_force(); })) {
-  auto* row = without_margins(new QHBoxLayout(this));
-  auto* column = new QVBoxLayout;
+  auto* image = new QWidget;
+  auto* column = without_margins(new QVBoxLayout(image));
   column->setSpacing(3);
   column->addWidget(make_header());
   auto* panes = new QHBoxLayout;
@@ -60,8 +61,8 @@ InspectPage::InspectPage(LiveSession& session, QUndoStack& undo, QWidget* parent
   words->addWidget(probe_, 1);
   column->addLayout(words);
   column->addWidget(time_line_);
-  row->addLayout(column, 1);
-  row->addWidget(make_side());
+  without_margins(new QHBoxLayout(this))
+      ->addWidget(make_side().next_to(image, QStringLiteral("inspect")));
   second_->hide();
   time_line_->hide();
   connect_parts();
@@ -86,12 +87,12 @@ QWidget* InspectPage::make_header() {
   return header;
 }
 
-QWidget* InspectPage::make_side() {
+SidePanel InspectPage::make_side() {
   const SidePanel panel(kInspectSideWidth);
   add_widgets(*panel.column, {pair_box_, contact_, force_, side_});
   panel.foot->addWidget(saved_);
   panel.foot->addWidget(save_bar_);
-  return panel.root;
+  return panel;
 }
 
 void InspectPage::connect_parts() {
@@ -125,6 +126,8 @@ void InspectPage::connect_parts() {
   connect(force_, &ForceBox::zero_requested, this,
           [this](const ForceZero& zero) { take_zero(session_, undo_, zero); });
   connect(force_, &ForceBox::no_zero_requested, this, [this] { drop_zero(session_, undo_); });
+  connect(force_, &ForceBox::training_requested, this,
+          [this] { open_force_training(session_, undo_, *this); });
   connect(&session_, &LiveSession::status_ready, force_, &ForceBox::schedule_update);
   connect(save_bar_, &SaveBar::save_requested, this, &InspectPage::choose_file);
   connect(save_bar_, &SaveBar::stop_requested, &saving_, &BackgroundWork::stop);
@@ -157,8 +160,11 @@ void InspectPage::connect_panes() {
 
 void InspectPage::name_parts() {
   live_->setText(tr("&Live finger"));
+  live_->setToolTip(tr("Shows the open source instead of a recording"));
   video_->setText(tr("Vide&o…"));
+  video_->setToolTip(tr("Inspects a recorded video of this finger"));
   folder_->setText(tr("Folder of &images…"));
+  folder_->setToolTip(tr("Inspects a folder of images of this finger"));
   shown_->setAccessibleName(tr("What is shown"));
   summary_->setAccessibleName(tr("Deepest contact"));
   saved_->setAccessibleName(tr("What was saved"));
@@ -343,6 +349,7 @@ ShownForce InspectPage::shown_force() const {
   if (shown.is_live) shown.zero = session_.force_zero();
   shown.why_none = no_force_reason(session_.status().finger);
   shown.has_model = has_force_model(session_.status().finger);
+  shown.can_train = can_train_force(session_.status().finger);
   return shown;
 }
 

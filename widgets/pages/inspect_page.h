@@ -60,7 +60,7 @@ class InspectPage : public Page {
 
  private:
   [[nodiscard]] QWidget* make_header();
-  [[nodiscard]] QWidget* make_side();
+  [[nodiscard]] SidePanel make_side();
   void connect_parts();
   void connect_panes();
   void connect_pair();

@@ -5,6 +5,7 @@
 #include "widgets/live/live_pair.h"
 #include "widgets/live/touch_history.h"
 #include "widgets/panels/force_box.h"
+#include "widgets/shell/force_dialog.h"
 #include "widgets/shell/page.h"
 #include "widgets/theme.h"
 #include "widgets/undo_step.h"
@@ -75,15 +76,12 @@ void LivePage::show_start(bool is_requested) {
 }
 
 QWidget* LivePage::make_view_page() {
-  auto* page = new QWidget;
-  auto* row = without_margins(new QHBoxLayout(page));
-  auto* column = new QVBoxLayout;
+  auto* image = new QWidget;
+  auto* column = without_margins(new QVBoxLayout(image));
   panels_->addWidget(panel_, 1);
   column->addLayout(panels_, 1);
   column->addWidget(force_->take_plot());
-  row->addLayout(column, 1);
-  row->addWidget(make_side());
-  return page;
+  return make_side().next_to(image, QStringLiteral("live"));
 }
 
 void LivePage::connect_choices() {
@@ -112,6 +110,9 @@ void LivePage::name_parts() {
                                      tr("Direction of &contact"),   tr("&Depth in colours"),
                                      tr("&Too dark or too bright"), tr("Shar&p edges")};
   for (std::size_t i = 0; i < names.size(); ++i) choices_[i].box->setText(names[i]);
+  choices_[0].box->setToolTip(tr("Both edges of the face, as they are found in this image"));
+  choices_[2].box->setToolTip(tr("Arrow: displacement of the finger; it grows with the force"));
+  choices_[3].box->setToolTip(tr("How deep the face is pressed in; the scale is in mm"));
   choices_[1].box->setToolTip(tr("Ring: visible marker. Dashed diamond: estimated position."));
   choices_[4].box->setToolTip(
       tr("Stripes falling to the right: too bright to measure. "
@@ -122,13 +123,14 @@ void LivePage::name_parts() {
   top_label_->setText(tr("Colours e&nd at"));
   top_->setSuffix(tr(" mm"));
   top_->setAccessibleName(tr("Depth at which the colours end"));
+  top_->setToolTip(tr("Deeper contacts have the colour of the end of the scale"));
   camera_->setTitle(tr("Camera"));
   lamp_group_->setTitle(tr("Lamp"));
   times_group_->setTitle(tr("Time per frame"));
   show_status();
 }
 
-QWidget* LivePage::make_side() {
+SidePanel LivePage::make_side() {
   const SidePanel side(kLiveSideWidth);
   auto* over = new QVBoxLayout(overlay_group_);
   for (const Choice& choice : choices_) over->addWidget(choice.box);
@@ -152,7 +154,7 @@ QWidget* LivePage::make_side() {
   (new QVBoxLayout(times_group_))->addWidget(times_);
   side.column->addWidget(times_group_);
   side.column->addStretch();
-  return side.root;
+  return side;
 }
 
 void LivePage::set_options(const ViewOptions& options) {
@@ -320,12 +322,17 @@ void StartPanel::name_parts() {
   try_->setToolTip(
       tr("A full day in five minutes: record, press, calibrate and check a simulated finger"));
   simulated_->setText(tr("&Simulated finger"));
+  simulated_->setToolTip(tr("A computed finger that bends, to try everything without a camera"));
   video_->setText(tr("Vi&deo file…"));
+  video_->setToolTip(tr("Plays a recording as if it came from a camera"));
   folder_->setText(tr("Folder of &images…"));
+  folder_->setToolTip(tr("Plays the images of a folder by their names"));
   finger_->setText(tr("&Open a finger…"));
+  finger_->setToolTip(tr("Chooses the folder of a finger that exists (Ctrl+O)"));
   all_->setText(tr("&All fingers…"));
   all_->setToolTip(tr("Verdict and due steps of each, in one list"));
   new_finger_->setText(tr("&New finger…"));
+  new_finger_->setToolTip(tr("Describes a finger that is not calibrated yet (Ctrl+N)"));
   sources_->setTitle(tr("Source"));
   fingers_->setTitle(tr("Finger"));
   drawing_->setAccessibleName(
@@ -348,6 +355,7 @@ void StartPanel::set_last(const QString& what) {
   last_text_ = what;
   last_->setVisible(!what.isEmpty());
   last_->setText(tr("&Go on with %1").arg(what));
+  last_->setToolTip(tr("Opens the source and the finger of the last time"));
   mark_primary();
 }
 
@@ -384,6 +392,8 @@ void LivePage::connect_force() {
   connect(force_, &ForceBox::zero_requested, this,
           [this](const ForceZero& zero) { take_zero(session_, undo_, zero); });
   connect(force_, &ForceBox::no_zero_requested, this, [this] { drop_zero(session_, undo_); });
+  connect(force_, &ForceBox::training_requested, this,
+          [this] { open_force_training(session_, undo_, *this); });
 }
 
 ShownForce LivePage::shown_force() const {
@@ -394,6 +404,7 @@ ShownForce LivePage::shown_force() const {
   shown.zero = session_.force_zero();
   shown.why_none = no_force_reason(session_.status().finger);
   shown.has_model = has_force_model(session_.status().finger);
+  shown.can_train = can_train_force(session_.status().finger);
   return shown;
 }
 

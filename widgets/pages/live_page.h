@@ -105,7 +105,7 @@ class LivePage : public Page {
     bool ViewOptions::*member;
   };
   [[nodiscard]] QWidget* make_view_page();
-  [[nodiscard]] QWidget* make_side();
+  [[nodiscard]] SidePanel make_side();
   void connect_force();
   void connect_choices();
   void name_parts();

@@ -45,7 +45,8 @@ ForceBox::ForceBox(std::function<ShownForce()> ask, QWidget* parent)
       zero_(wrapped_text()),
       plot_(new ForcePlot),
       take_zero_(new QPushButton),
-      no_zero_(new QPushButton) {
+      no_zero_(new QPushButton),
+      train_(new QPushButton) {
   auto* column = new QVBoxLayout(this);
   column->addWidget(reading_);
   plot_->setFixedHeight(kForcePlotHeight);
@@ -56,6 +57,7 @@ ForceBox::ForceBox(std::function<ShownForce()> ask, QWidget* parent)
   row->addWidget(no_zero_);
   row->addStretch();
   column->addLayout(row);
+  column->addWidget(train_, 0, Qt::AlignLeft);
   timer_.setSingleShot(true);
   timer_.setInterval(kDrawInterval_ms);
   connect(&timer_, &QTimer::timeout, this, &ForceBox::draw);
@@ -63,8 +65,11 @@ ForceBox::ForceBox(std::function<ShownForce()> ask, QWidget* parent)
     if (offered_zero_) Q_EMIT zero_requested(*offered_zero_);
   });
   connect(no_zero_, &QPushButton::clicked, this, &ForceBox::no_zero_requested);
+  connect(train_, &QPushButton::clicked, this, &ForceBox::training_requested);
   say([this] {
     setTitle(tr("Force"));
+    train_->setText(tr("Train the forces…"));
+    train_->setToolTip(tr("Makes a force model from a table of markers and a gauge's forces"));
     take_zero_->setText(tr("Re-&zero"));
     no_zero_->setText(tr("&As measured"));
     no_zero_->setToolTip(tr("Forces use the model's own zero again."));
@@ -107,6 +112,7 @@ void ForceBox::draw() {
     widget->setVisible(is_any);
   take_zero_->setEnabled(offered_zero_.has_value());
   no_zero_->setEnabled(shown.zero.has_value());
+  train_->setEnabled(shown.can_train);
   take_zero_->setToolTip(!shown.is_live ? tr("A recording is shown as it was measured.")
                          : offered_zero_
                              ? tr("From now on, the mean of the last half second is the zero.")

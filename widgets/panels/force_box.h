@@ -63,6 +63,7 @@ struct ShownForce {
   bool is_live = true;     ///< false: recorded data, for which no zero counts
   QString why_none;        ///< shown instead of the reading where there is no force at all
   bool has_model = false;  ///< forces may come: their room is reserved
+  bool can_train = false;
 };
 
 class ForceBox : public Translated<QGroupBox> {
@@ -86,6 +87,7 @@ class ForceBox : public Translated<QGroupBox> {
   void zero_requested(const alltact::ForceZero& zero);
   /// Show forces as measured, without a zero.
   void no_zero_requested();
+  void training_requested();
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -100,7 +102,7 @@ class ForceBox : public Translated<QGroupBox> {
   int drawings_ = 0;
   QLabel *reading_, *zero_;
   ForcePlot* plot_;
-  QPushButton *take_zero_, *no_zero_;
+  QPushButton *take_zero_, *no_zero_, *train_;
   std::optional<ForceZero> offered_zero_;  ///< by the button as it is drawn
 };
 

@@ -7,6 +7,7 @@
 #include "widgets/widget_base.h"
 
 #include <QScrollArea>
+#include <QSplitter>
 #include <QVBoxLayout>
 #include <QWidget>
 #include <string>
@@ -74,6 +75,9 @@ class Page : public Translated<QWidget> {
 /// wide as `min_width_px`, or as its content needs in the window's language.
 struct SidePanel {
   explicit SidePanel(int min_width_px);
+  /// Both in a splitter. The user's width of the panel is stored under `key`; a double click on the
+  /// handle removes it.
+  [[nodiscard]] QSplitter* next_to(QWidget* image, const QString& key) const;
   QWidget* root;
   QVBoxLayout *column, *foot;
 };
