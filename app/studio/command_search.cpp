@@ -1,5 +1,7 @@
 #include "app/studio/command_search.h"
 
+#include "app/studio/help.h"
+
 #include <QKeyEvent>
 #include <QMenu>
 #include <QMenuBar>
@@ -36,6 +38,7 @@ CommandSearch::CommandSearch(QMainWindow& window)
     setWindowTitle(tr("Find a command"));
     words_->setPlaceholderText(tr("Words of the command"));
     words_->setAccessibleName(tr("Words of the command"));
+    words_->setToolTip(tr("Any words of the command, in any order; Enter runs the marked one"));
     list_->setAccessibleName(tr("Commands"));
     list_->setHeaderLabels({tr("Command"), tr("Menu or page"), tr("Keys")});
     // Once the menus have the new language as well.
@@ -61,6 +64,24 @@ void CommandSearch::collect() {
     if (!is_command || !button->isVisible() || !button->isEnabled() || name.isEmpty()) continue;
     commands_.push_back({name, tr("this page"),
                          button->shortcut().toString(QKeySequence::NativeText), nullptr, button});
+  }
+  collect_view_keys();
+}
+
+/// The rows of the page's tables, each table under its heading.
+void CommandSearch::collect_view_keys() {
+  QString view;
+  bool is_head = true;
+  for (const QString& line : help_text(QStringLiteral("keys")).split(QLatin1Char('\n'))) {
+    const QStringList cells = line.split(QLatin1Char('|'));
+    if (line.startsWith(QLatin1String("## "))) {
+      view = line.mid(3).trimmed();
+      is_head = true;
+    } else if (cells.size() == 4) {
+      const QString keys = cells[1].trimmed(), does = cells[2].trimmed();
+      if (!is_head) commands_.push_back({does, view, keys, nullptr, nullptr});
+      if (keys.startsWith(QLatin1String("---"))) is_head = false;
+    }
   }
 }
 

@@ -1,5 +1,6 @@
 // Finds a command by its words: all entries of the menus and all buttons of the shown page, with
-// their keys. With an empty search it is the list of all shortcuts.
+// their keys, and the keys of the views, which the help's page of keys names. With an empty search
+// it is the list of all shortcuts.
 #pragma once
 
 #include "widgets/controls/row_list.h"
@@ -26,11 +27,12 @@ class CommandSearch : public FittedDialog {
  private:
   struct Command {
     QString name, group, keys;
-    QPointer<QAction> action;  ///< null: a button
+    QPointer<QAction> action;  ///< null: a button, or a key of a view
     QPointer<QAbstractButton> button;
   };
   void collect();
   void collect(const QMenu& menu, const QString& group);
+  void collect_view_keys();
   void fill();
   void run();
 

@@ -96,7 +96,8 @@ QString without_marks(QString markdown) {
 namespace {
 
 constexpr int kListWidth = 150;
-const QStringList kFurther{QStringLiteral("glossary"), QStringLiteral("effects")};
+const QStringList kFurther{QStringLiteral("keys"), QStringLiteral("glossary"),
+                           QStringLiteral("effects")};
 
 }  // namespace
 
@@ -134,9 +135,10 @@ void HelpWindow::name_pages() {
   text_->setAccessibleName(tr("Help"));
   int row = 0;
   for (const Page* page : pages_) list_->item(row++)->setText(page->title());
-  for (const QString& words : {tr("Glossary"), tr("Effects of scenes")})
+  for (const QString& words : {tr("Keys"), tr("Glossary"), tr("Effects of scenes")})
     list_->item(row++)->setText(words);
   buttons_->button(QDialogButtonBox::Close)->setText(tr("&Close"));
+  buttons_->button(QDialogButtonBox::Close)->setToolTip(tr("Closes this window (Esc)"));
   load();
 }
 
@@ -306,6 +308,8 @@ HelpMenu::HelpMenu(std::function<std::string()> page, std::vector<Page*> pages, 
       {QKeySequence::HelpContents}, [] { return tr("&Help on this page"); },
       [this] { show_help(); });
   add(
+      {}, [] { return tr("&Keys"); }, [this] { show_page(QStringLiteral("keys")); });
+  add(
       {}, [] { return tr("&Glossary"); }, [this] { show_page(QStringLiteral("glossary")); });
   add(
       {}, [] { return tr("&Quick guide to print…"); }, [this] { choose_guide_file(); });
@@ -357,6 +361,7 @@ void HelpMenu::show_about() {
   text->setAccessibleName(title);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
   buttons->button(QDialogButtonBox::Close)->setText(tr("&Close"));
+  buttons->button(QDialogButtonBox::Close)->setToolTip(tr("Closes this window (Esc)"));
   connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::reject);
   layout->addWidget(text);
   layout->addWidget(buttons);

@@ -44,7 +44,7 @@ class HelpWindow : public Translated<QDialog> {
   Q_OBJECT
  public:
   HelpWindow(const std::vector<Page*>& pages, QWidget* parent);
-  /// The name of a page of the window, "effects" or "glossary".
+  /// The name of a page of the window, "keys", "effects" or "glossary".
   void show_page(const QString& name);
 
  private:
@@ -65,8 +65,8 @@ class HelpWindow : public Translated<QDialog> {
 /// pages in readable letters.
 [[nodiscard]] Result<std::string> quick_guide_pdf(const std::string& date);
 
-// The menu Help: the help of the shown page, the glossary, a printable guide, and information about
-// this program.
+// The menu Help: the help of the shown page, the keys, the glossary, a printable guide, and
+// information about this program.
 
 class HelpMenu : public TranslatedMenu {
   Q_OBJECT
