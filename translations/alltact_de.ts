@@ -292,6 +292,34 @@
         <source>position: half within %1 mm</source>
         <translation>Position: Hälfte innerhalb %1 mm</translation>
     </message>
+    <message>
+        <source>Measures with the setting of the calibration again</source>
+        <translation>Misst wieder mit der Einstellung der Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Copies the command that does the same in a terminal</source>
+        <translation>Kopiert den Befehl, der dasselbe im Terminal tut</translation>
+    </message>
+    <message>
+        <source>Ends measuring; the settings so far are shown</source>
+        <translation>Beendet das Messen; die bisherigen Einstellungen werden gezeigt</translation>
+    </message>
+    <message>
+        <source>Computes error and time of many settings from the presses</source>
+        <translation>Berechnet Fehler und Zeit vieler Einstellungen aus den Eindrücken</translation>
+    </message>
+    <message>
+        <source>This finger is measured with the chosen setting from now on; undo takes it back</source>
+        <translation>Dieser Finger misst von nun an mit der gewählten Einstellung; Rückgängig nimmt es zurück</translation>
+    </message>
+    <message>
+        <source>Computes error and time of further settings from the presses</source>
+        <translation>Berechnet Fehler und Zeit weiterer Einstellungen aus den Eindrücken</translation>
+    </message>
+    <message>
+        <source>Only settings that keep up with it are offered</source>
+        <translation>Nur Einstellungen, die damit Schritt halten, werden angeboten</translation>
+    </message>
 </context>
 <context>
     <name>alltact::AccuracyPlot</name>
@@ -360,6 +388,10 @@
     <message>
         <source>Error versus time per image, as a table</source>
         <translation>Fehler gegen Zeit pro Bild, als Tabelle</translation>
+    </message>
+    <message>
+        <source>Order of the rows below</source>
+        <translation>Reihenfolge der Zeilen darunter</translation>
     </message>
 </context>
 <context>
@@ -449,6 +481,10 @@
     <message>
         <source>&amp;Calibrate</source>
         <translation>&amp;Kalibrieren</translation>
+    </message>
+    <message>
+        <source>Opens the next step</source>
+        <translation>Öffnet den nächsten Schritt</translation>
     </message>
 </context>
 <context>
@@ -566,6 +602,22 @@
         <source>A check needs %1 presses at different positions: press again.</source>
         <translation>Eine Prüfung braucht %1 Eindrücke an verschiedenen Positionen: Drücken Sie noch einmal.</translation>
     </message>
+    <message>
+        <source>Stores the present image as a press of the ball</source>
+        <translation>Speichert das jetzige Bild als Eindruck der Kugel</translation>
+    </message>
+    <message>
+        <source>Discards the presses of this check</source>
+        <translation>Verwirft die Eindrücke dieser Prüfung</translation>
+    </message>
+    <message>
+        <source>Compares the measured depth with the ball, and adds the result to the history</source>
+        <translation>Vergleicht die gemessene Tiefe mit der Kugel; das Ergebnis kommt in den Verlauf</translation>
+    </message>
+    <message>
+        <source>Your name or initials, stored with the check</source>
+        <translation>Ihr Name oder Kürzel; wird mit der Prüfung gespeichert</translation>
+    </message>
 </context>
 <context>
     <name>alltact::CommandSearch</name>
@@ -596,6 +648,10 @@
     <message>
         <source>this page</source>
         <translation>diese Seite</translation>
+    </message>
+    <message>
+        <source>Any words of the command, in any order; Enter runs the marked one</source>
+        <translation>Wörter des Befehls in beliebiger Folge; Enter führt den markierten aus</translation>
     </message>
 </context>
 <context>
@@ -828,6 +884,10 @@
     <message>
         <source>%1 (USB port %2)</source>
         <translation>%1 (USB-Anschluss %2)</translation>
+    </message>
+    <message>
+        <source>Exposure, gain, white balance and focus stay as they are; depth rests on them</source>
+        <translation>Belichtung, Verstärkung, Weißabgleich und Fokus bleiben; die Tiefe beruht darauf</translation>
     </message>
 </context>
 <context>
@@ -1103,6 +1163,26 @@
             <numerusform>%n Aufnahmen, die dieser Finger nicht verwendet, bleiben aus der Zip-Datei weg.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Chooses the folder to write to</source>
+        <translation>Wählt den Zielordner</translation>
+    </message>
+    <message>
+        <source>Copies the command that does the same in a terminal</source>
+        <translation>Kopiert den Befehl, der dasselbe im Terminal tut</translation>
+    </message>
+    <message>
+        <source>Writes the ticked files</source>
+        <translation>Schreibt die angehakten Dateien</translation>
+    </message>
+    <message>
+        <source>Ends the export; no unfinished file is left</source>
+        <translation>Beendet den Export; keine unfertige Datei bleibt</translation>
+    </message>
+    <message>
+        <source>Closes this window (Esc)</source>
+        <translation>Schließt dieses Fenster (Esc)</translation>
+    </message>
 </context>
 <context>
     <name>alltact::FaceMapPlot</name>
@@ -1323,6 +1403,18 @@
         <source>Folder with fingers</source>
         <translation>Ordner mit Fingern</translation>
     </message>
+    <message>
+        <source>Opens the selected finger (Enter)</source>
+        <translation>Öffnet den gewählten Finger (Enter)</translation>
+    </message>
+    <message>
+        <source>Adds the fingers of another folder to the list</source>
+        <translation>Fügt die Finger eines anderen Ordners hinzu</translation>
+    </message>
+    <message>
+        <source>Closes this window (Esc)</source>
+        <translation>Schließt dieses Fenster (Esc)</translation>
+    </message>
 </context>
 <context>
     <name>alltact::FingerMenu</name>
@@ -1469,6 +1561,34 @@
         <source>Untouched image</source>
         <translation>Bild ohne Berührung</translation>
     </message>
+    <message>
+        <source>Stores this finger on disk, so that it can be calibrated</source>
+        <translation>Speichert diesen Finger, damit er kalibriert werden kann</translation>
+    </message>
+    <message>
+        <source>Chooses the folder of a finger that exists</source>
+        <translation>Wählt den Ordner eines vorhandenen Fingers</translation>
+    </message>
+    <message>
+        <source>There the reference of the untouched finger is recorded</source>
+        <translation>Dort wird die Referenz des unberührten Fingers aufgenommen</translation>
+    </message>
+    <message>
+        <source>The present image becomes the reference; nothing may touch the face</source>
+        <translation>Das jetzige Bild wird die Referenz; nichts darf die Fläche berühren</translation>
+    </message>
+    <message>
+        <source>A stored image of the untouched face becomes the reference</source>
+        <translation>Ein gespeichertes Bild der unberührten Fläche wird die Referenz</translation>
+    </message>
+    <message>
+        <source>From edge to edge, by caliper</source>
+        <translation>Von Kante zu Kante, mit dem Messschieber</translation>
+    </message>
+    <message>
+        <source>Of the translucent layer; no depth is larger</source>
+        <translation>Der durchscheinenden Schicht; keine Tiefe ist größer</translation>
+    </message>
 </context>
 <context>
     <name>alltact::FingerStudyRun</name>
@@ -1494,6 +1614,10 @@
     <message>
         <source>Go to Calibrate</source>
         <translation>Zu Kalibrieren gehen</translation>
+    </message>
+    <message>
+        <source>Opens the page of what is due for this finger</source>
+        <translation>Öffnet die Seite dessen, was bei diesem Finger ansteht</translation>
     </message>
 </context>
 <context>
@@ -1577,6 +1701,14 @@
     <message>
         <source>show the force as measured</source>
         <translation>Kraft wie gemessen zeigen</translation>
+    </message>
+    <message>
+        <source>Train the forces…</source>
+        <translation>Kräfte trainieren…</translation>
+    </message>
+    <message>
+        <source>Makes a force model from a table of markers and a gauge&apos;s forces</source>
+        <translation>Erstellt ein Kraftmodell aus einer Tabelle der Marken und der Kräfte eines Kraftmessers</translation>
     </message>
 </context>
 <context>
@@ -1803,6 +1935,14 @@
             <numerusform>%n unterscheidbare Klassen</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Copies both tables for a spreadsheet</source>
+        <translation>Kopiert beide Tabellen für eine Tabellenkalkulation</translation>
+    </message>
+    <message>
+        <source>Closes this window (Esc)</source>
+        <translation>Schließt dieses Fenster (Esc)</translation>
+    </message>
 </context>
 <context>
     <name>alltact::GripperDialog</name>
@@ -1865,6 +2005,22 @@
     <message>
         <source>Removes the pose from the finger&apos;s file.</source>
         <translation>Entfernt die Lage aus der Datei des Fingers.</translation>
+    </message>
+    <message>
+        <source>Both fingers are shown in the gripper&apos;s frame</source>
+        <translation>Beide Finger werden im Koordinatensystem des Greifers gezeigt</translation>
+    </message>
+    <message>
+        <source>Closes this window without a change (Esc)</source>
+        <translation>Schließt dieses Fenster ohne Änderung (Esc)</translation>
+    </message>
+    <message>
+        <source>Of the camera, in the gripper&apos;s frame</source>
+        <translation>Der Kamera, im Koordinatensystem des Greifers</translation>
+    </message>
+    <message>
+        <source>Of the camera, about the gripper&apos;s axis; x first, then y, then z</source>
+        <translation>Der Kamera, um die Achse des Greifers; erst x, dann y, dann z</translation>
     </message>
 </context>
 <context>
@@ -1933,6 +2089,10 @@
         <source>%1 (simulated)</source>
         <translation>%1 (simuliert)</translation>
     </message>
+    <message>
+        <source>Opens a camera, a recording or the simulated finger</source>
+        <translation>Öffnet eine Kamera, eine Aufnahme oder den simulierten Finger</translation>
+    </message>
 </context>
 <context>
     <name>alltact::HelpMenu</name>
@@ -1984,6 +2144,14 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>PDF files (*.pdf)</source>
         <translation>PDF-Dateien (*.pdf)</translation>
     </message>
+    <message>
+        <source>&amp;Keys</source>
+        <translation>&amp;Tasten</translation>
+    </message>
+    <message>
+        <source>Closes this window (Esc)</source>
+        <translation>Schließt dieses Fenster (Esc)</translation>
+    </message>
 </context>
 <context>
     <name>alltact::HelpWindow</name>
@@ -2006,6 +2174,14 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>&amp;Close</source>
         <translation>S&amp;chließen</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>Closes this window (Esc)</source>
+        <translation>Schließt dieses Fenster (Esc)</translation>
     </message>
 </context>
 <context>
@@ -2202,7 +2378,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>inspect %1</source>
-        <translation>%1 prüfen</translation>
+        <translation>%1 auswerten</translation>
     </message>
     <message>
         <source>continue the last inspection</source>
@@ -2210,7 +2386,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>inspect the live finger</source>
-        <translation>den Finger live prüfen</translation>
+        <translation>den Finger live auswerten</translation>
     </message>
     <message>
         <source>1: %1, 2: %2, in the gripper&apos;s frame X, Y, Z</source>
@@ -2295,6 +2471,18 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>%1, %2 mm rms off</source>
         <translation>%1, Abstand %2 mm rms</translation>
+    </message>
+    <message>
+        <source>Shows the open source instead of a recording</source>
+        <translation>Zeigt die offene Quelle statt einer Aufnahme</translation>
+    </message>
+    <message>
+        <source>Inspects a recorded video of this finger</source>
+        <translation>Wertet ein aufgenommenes Video dieses Fingers aus</translation>
+    </message>
+    <message>
+        <source>Inspects a folder of images of this finger</source>
+        <translation>Wertet einen Ordner von Bildern dieses Fingers aus</translation>
     </message>
 </context>
 <context>
@@ -2424,6 +2612,22 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
             <numerusform>%n Bilder, keine Toleranzen.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Ends the inspection without a result</source>
+        <translation>Beendet die Auswertung ohne Ergebnis</translation>
+    </message>
+    <message>
+        <source>The table that alltact inspect writes, to the byte</source>
+        <translation>Die Tabelle, die alltact inspect schreibt, Byte für Byte</translation>
+    </message>
+    <message>
+        <source>A PDF to sign, in English</source>
+        <translation>Ein PDF zum Unterschreiben, auf Englisch</translation>
+    </message>
+    <message>
+        <source>Closes this window (Esc)</source>
+        <translation>Schließt dieses Fenster (Esc)</translation>
+    </message>
 </context>
 <context>
     <name>alltact::LocalText</name>
@@ -2535,6 +2739,26 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>Choose the device that dims the finger&apos;s lamp, if there is one.</source>
         <translation>Wählen Sie das Gerät, das die Lampe des Fingers dimmt, falls es eines gibt.</translation>
+    </message>
+    <message>
+        <source>USB device that dims the lamp; none leaves the lamp alone</source>
+        <translation>USB-Gerät, das die Lampe dimmt; ohne bleibt die Lampe, wie sie ist</translation>
+    </message>
+    <message>
+        <source>Lists the dimmers that are plugged in now</source>
+        <translation>Listet die jetzt angeschlossenen Dimmer auf</translation>
+    </message>
+    <message>
+        <source>The pin or report that the lamp is connected to</source>
+        <translation>Der Anschluss oder Report, an dem die Lampe hängt</translation>
+    </message>
+    <message>
+        <source>Number, bytes and range of the HID report that sets the brightness</source>
+        <translation>Nummer, Bytes und Bereich des HID-Reports für die Helligkeit</translation>
+    </message>
+    <message>
+        <source>In per cent; every recorded image stores it</source>
+        <translation>In Prozent; jedes aufgenommene Bild speichert sie</translation>
     </message>
 </context>
 <context>
@@ -2666,6 +2890,30 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>AprilGrid</source>
         <translation>AprilGrid</translation>
+    </message>
+    <message>
+        <source>What is printed on the board</source>
+        <translation>Was auf der Tafel gedruckt ist</translation>
+    </message>
+    <message>
+        <source>Counted on the board, along its long side</source>
+        <translation>Auf der Tafel gezählt, längs ihrer langen Seite</translation>
+    </message>
+    <message>
+        <source>Counted on the board, along its short side</source>
+        <translation>Auf der Tafel gezählt, längs ihrer kurzen Seite</translation>
+    </message>
+    <message>
+        <source>How the lens bends rays; fisheye for very wide angles</source>
+        <translation>Wie das Objektiv Strahlen bricht; Fischauge für sehr weite Winkel</translation>
+    </message>
+    <message>
+        <source>Measured on the printed board, by caliper over several squares</source>
+        <translation>Auf der gedruckten Tafel mit dem Messschieber über mehrere Quadrate gemessen</translation>
+    </message>
+    <message>
+        <source>The forecast of the depth&apos;s error is for this distance</source>
+        <translation>Die Vorhersage des Tiefenfehlers gilt für diesen Abstand</translation>
     </message>
 </context>
 <context>
@@ -2886,6 +3134,38 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>Automatically when ne&amp;w and still</source>
         <translation>Automatisch, wenn neu &amp;und ruhig</translation>
     </message>
+    <message>
+        <source>Uses a lens that was measured before</source>
+        <translation>Verwendet ein früher vermessenes Objektiv</translation>
+    </message>
+    <message>
+        <source>Images or a video of the board, seen from many sides</source>
+        <translation>Bilder oder ein Video der Tafel, von vielen Seiten</translation>
+    </message>
+    <message>
+        <source>Chooses stored images of the board</source>
+        <translation>Wählt gespeicherte Bilder der Tafel</translation>
+    </message>
+    <message>
+        <source>Computes the camera file from the views of the board</source>
+        <translation>Berechnet die Kameradatei aus den Ansichten der Tafel</translation>
+    </message>
+    <message>
+        <source>Ends the measurement without a result</source>
+        <translation>Beendet die Messung ohne Ergebnis</translation>
+    </message>
+    <message>
+        <source>The lens of a simulated camera is known exactly</source>
+        <translation>Das Objektiv einer simulierten Kamera ist genau bekannt</translation>
+    </message>
+    <message>
+        <source>Stores the present image as a view of the board</source>
+        <translation>Speichert das jetzige Bild als Ansicht der Tafel</translation>
+    </message>
+    <message>
+        <source>The lens is measured without it</source>
+        <translation>Das Objektiv wird ohne sie vermessen</translation>
+    </message>
 </context>
 <context>
     <name>alltact::LivePairBox</name>
@@ -2968,6 +3248,14 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>No jointly held object.</source>
         <translation>Kein gemeinsam gehaltenes Objekt.</translation>
+    </message>
+    <message>
+        <source>Shows another finger with its own camera at the same moment</source>
+        <translation>Zeigt einen anderen Finger mit eigener Kamera im selben Moment</translation>
+    </message>
+    <message>
+        <source>Shows the first finger alone again</source>
+        <translation>Zeigt wieder nur den ersten Finger</translation>
     </message>
 </context>
 <context>
@@ -3146,6 +3434,22 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>Colours e&amp;nd at</source>
         <translation>Farben &amp;enden bei</translation>
+    </message>
+    <message>
+        <source>Deeper contacts have the colour of the end of the scale</source>
+        <translation>Tiefere Kontakte haben die Farbe am Ende der Skala</translation>
+    </message>
+    <message>
+        <source>Both edges of the face, as they are found in this image</source>
+        <translation>Beide Kanten der Fläche, wie sie in diesem Bild gefunden werden</translation>
+    </message>
+    <message>
+        <source>Arrow: displacement of the finger; it grows with the force</source>
+        <translation>Pfeil: Verschiebung des Fingers; sie wächst mit der Kraft</translation>
+    </message>
+    <message>
+        <source>How deep the face is pressed in; the scale is in mm</source>
+        <translation>Wie tief die Fläche eingedrückt ist; die Skala ist in mm</translation>
     </message>
 </context>
 <context>
@@ -3336,6 +3640,18 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>Ball</source>
         <translation>Kugel</translation>
     </message>
+    <message>
+        <source>Opens the chosen press on the step Presses</source>
+        <translation>Öffnet den gewählten Eindruck im Schritt Eindrücke</translation>
+    </message>
+    <message>
+        <source>A press that is left out stays stored; the next calibration does not use it</source>
+        <translation>Ein ausgelassener Eindruck bleibt gespeichert; die nächste Kalibrierung nutzt ihn nicht</translation>
+    </message>
+    <message>
+        <source>Computes the mapping from all presses; undo restores the one before</source>
+        <translation>Berechnet die Abbildung aus allen Eindrücken; Rückgängig stellt die vorige her</translation>
+    </message>
 </context>
 <context>
     <name>alltact::MappingPlot</name>
@@ -3409,6 +3725,10 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>No tested option improves the result.</source>
         <translation>Keine geprüfte Möglichkeit verbessert das Ergebnis.</translation>
+    </message>
+    <message>
+        <source>Calibrates with fewer and with painted presses; takes a minute</source>
+        <translation>Kalibriert mit weniger und mit gemalten Eindrücken; dauert eine Minute</translation>
     </message>
 </context>
 <context>
@@ -3565,6 +3885,50 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>Choose its file, or enter the size of a pixel and choose the untouched image.</source>
         <translation>Wählen Sie ihre Datei, oder geben Sie die Größe eines Pixels ein und wählen Sie das Bild ohne Berührung.</translation>
     </message>
+    <message>
+        <source>An image of the face without contact</source>
+        <translation>Ein Bild der Fläche ohne Kontakt</translation>
+    </message>
+    <message>
+        <source>Chooses where the finger&apos;s folder is made</source>
+        <translation>Wählt, wo der Ordner des Fingers angelegt wird</translation>
+    </message>
+    <message>
+        <source>The file that the lens calibration wrote</source>
+        <translation>Die Datei, die die Kalibrierung des Objektivs geschrieben hat</translation>
+    </message>
+    <message>
+        <source>Whether the face bends</source>
+        <translation>Ob sich die Fläche biegt</translation>
+    </message>
+    <message>
+        <source>How the dots differ from the skin around them</source>
+        <translation>Worin sich die Punkte von der Haut unterscheiden</translation>
+    </message>
+    <message>
+        <source>From edge to edge, by caliper</source>
+        <translation>Von Kante zu Kante, mit dem Messschieber</translation>
+    </message>
+    <message>
+        <source>Of the translucent layer; no depth is larger</source>
+        <translation>Der durchscheinenden Schicht; keine Tiefe ist größer</translation>
+    </message>
+    <message>
+        <source>From the lens to the face</source>
+        <translation>Vom Objektiv zur Fläche</translation>
+    </message>
+    <message>
+        <source>Counted on one side of the face; 0 for none</source>
+        <translation>Auf einer Seite der Fläche gezählt; 0 für keine</translation>
+    </message>
+    <message>
+        <source>Writes the folder and opens the finger</source>
+        <translation>Legt den Ordner an und öffnet den Finger</translation>
+    </message>
+    <message>
+        <source>Closes this window without a change (Esc)</source>
+        <translation>Schließt dieses Fenster ohne Änderung (Esc)</translation>
+    </message>
 </context>
 <context>
     <name>alltact::OutlineEditor</name>
@@ -3650,6 +4014,14 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>&lt;b&gt;%1 mm&lt;/b&gt; shortest distance between the faces, near X %2, Y %3, Z %4 mm</source>
         <translation>&lt;b&gt;%1 mm&lt;/b&gt; kleinster Abstand der Flächen, nahe X %2, Y %3, Z %4 mm</translation>
+    </message>
+    <message>
+        <source>Shows the first finger alone again</source>
+        <translation>Zeigt wieder nur den ersten Finger</translation>
+    </message>
+    <message>
+        <source>Shows another finger of the same moment next to this one</source>
+        <translation>Zeigt einen anderen Finger im selben Moment daneben</translation>
     </message>
 </context>
 <context>
@@ -3795,6 +4167,14 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>&amp;Understood</source>
         <translation>&amp;Verstanden</translation>
+    </message>
+    <message>
+        <source>Hides this hint; the help (F1) has it</source>
+        <translation>Blendet den Hinweis aus; er steht in der Hilfe (F1)</translation>
+    </message>
+    <message>
+        <source>Opens the help of this page</source>
+        <translation>Öffnet die Hilfe dieser Seite</translation>
     </message>
 </context>
 <context>
@@ -4580,19 +4960,40 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>Waiting for the ball&apos;s radius.</source>
         <translation>Wartet auf den Radius der Kugel.</translation>
     </message>
+    <message>
+        <source>Adds stored images of presses; they can be dropped here, too</source>
+        <translation>Fügt gespeicherte Bilder von Eindrücken hinzu, auch durch Ziehen hierher</translation>
+    </message>
+    <message>
+        <source>Shows the camera, for the next press</source>
+        <translation>Zeigt die Kamera, für den nächsten Eindruck</translation>
+    </message>
+    <message>
+        <source>Your name or initials, stored with the presses</source>
+        <translation>Ihr Name oder Kürzel; wird mit den Eindrücken gespeichert</translation>
+    </message>
+    <message>
+        <source>Stores the present image as a press of the ball</source>
+        <translation>Speichert das jetzige Bild als Eindruck der Kugel</translation>
+    </message>
+    <message>
+        <source>For a press with another ball, a known depth, or a punch</source>
+        <translation>Für einen Eindruck mit anderer Kugel, bekannter Tiefe oder einem Stempel</translation>
+    </message>
+    <message>
+        <source>Shows the press that is chosen in the list</source>
+        <translation>Zeigt den in der Liste gewählten Eindruck</translation>
+    </message>
+    <message>
+        <source>Half of the diameter that a caliper or the data sheet gives</source>
+        <translation>Die Hälfte des Durchmessers, den Messschieber oder Datenblatt angeben</translation>
+    </message>
 </context>
 <context>
     <name>alltact::PressesPlot</name>
     <message>
         <source>Depth error by number of presses</source>
         <translation>Tiefenfehler nach Zahl der Eindrücke</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n press(es): %1 µm</source>
-        <translation>
-            <numerusform>%n Eindruck: %1 µm</numerusform>
-            <numerusform>%n Eindrücke: %1 µm</numerusform>
-        </translation>
     </message>
     <message>
         <source>Nothing is computed yet</source>
@@ -4614,9 +5015,16 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>Presses</source>
         <translation>Eindrücke</translation>
     </message>
+    <message numerus="yes">
+        <source>%n press(es): %1 mm</source>
+        <translation>
+            <numerusform>%n Eindruck: %1 mm</numerusform>
+            <numerusform>%n Eindrücke: %1 mm</numerusform>
+        </translation>
+    </message>
     <message>
-        <source>Depth error (µm)</source>
-        <translation>Tiefenfehler (µm)</translation>
+        <source>Depth error (mm)</source>
+        <translation>Tiefenfehler (mm)</translation>
     </message>
 </context>
 <context>
@@ -4709,6 +5117,10 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>Show all in full</source>
         <translation>Alle vollständig zeigen</translation>
     </message>
+    <message>
+        <source>Does what the message advises</source>
+        <translation>Tut, was die Meldung empfiehlt</translation>
+    </message>
 </context>
 <context>
     <name>alltact::QuickGuide</name>
@@ -4761,6 +5173,22 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>The lower limit must be below the upper one.</source>
         <translation>Die untere Grenze muss unter der oberen liegen.</translation>
+    </message>
+    <message>
+        <source>Takes this name and these limits</source>
+        <translation>Übernimmt Namen und Grenzen</translation>
+    </message>
+    <message>
+        <source>Closes this window without a change (Esc)</source>
+        <translation>Schließt dieses Fenster ohne Änderung (Esc)</translation>
+    </message>
+    <message>
+        <source>Name of the value in tables and reports</source>
+        <translation>Name des Werts in Tabellen und Berichten</translation>
+    </message>
+    <message>
+        <source>A value beyond it fails; near it, the standard deviation decides</source>
+        <translation>Ein Wert jenseits davon fällt durch; nahe daran entscheidet die Standardabweichung</translation>
     </message>
 </context>
 <context>
@@ -4895,6 +5323,22 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>Save the recipe</source>
         <translation>Prüfplan speichern</translation>
+    </message>
+    <message>
+        <source>Name and limits of the selected reading</source>
+        <translation>Name und Grenzen des gewählten Messwerts</translation>
+    </message>
+    <message>
+        <source>Takes the selected reading out of the recipe</source>
+        <translation>Nimmt den gewählten Messwert aus dem Rezept</translation>
+    </message>
+    <message>
+        <source>Replaces the readings by those of a file</source>
+        <translation>Ersetzt die Messwerte durch die einer Datei</translation>
+    </message>
+    <message>
+        <source>Writes the readings to a file, for other recordings and fingers</source>
+        <translation>Schreibt die Messwerte in eine Datei, für andere Aufnahmen und Finger</translation>
     </message>
 </context>
 <context>
@@ -5245,6 +5689,30 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>Installed; the finger is being loaded with it.</source>
         <translation>Installiert; der Finger wird damit geladen.</translation>
     </message>
+    <message>
+        <source>Chooses the file to record to</source>
+        <translation>Wählt die Datei der Aufnahme</translation>
+    </message>
+    <message>
+        <source>Depth is measured against it from now on; undo restores the one before</source>
+        <translation>Tiefe wird von nun an dagegen gemessen; Rückgängig stellt die vorige her</translation>
+    </message>
+    <message>
+        <source>Opens it on the page Inspect</source>
+        <translation>Öffnet sie auf der Seite Auswerten</translation>
+    </message>
+    <message>
+        <source>There presses of a ball give the depth</source>
+        <translation>Dort ergeben Eindrücke einer Kugel die Tiefe</translation>
+    </message>
+    <message>
+        <source>Examines a stored recording as if it had just been made</source>
+        <translation>Untersucht eine gespeicherte Aufnahme wie eine neue</translation>
+    </message>
+    <message>
+        <source>The finger keeps its present reference</source>
+        <translation>Der Finger behält seine jetzige Referenz</translation>
+    </message>
 </context>
 <context>
     <name>alltact::RigCheckBox</name>
@@ -5290,6 +5758,10 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
             <numerusform>Vor der ersten Aufnahme: %n zu beheben</numerusform>
             <numerusform>Vor der ersten Aufnahme: %n zu beheben</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>What is checked before the first recording; a click shows or hides it</source>
+        <translation>Was vor der ersten Aufnahme geprüft wird; ein Klick zeigt oder verbirgt es</translation>
     </message>
 </context>
 <context>
@@ -5349,6 +5821,18 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>Depth map in mm, TIFF</source>
         <translation>Tiefenkarte in mm, TIFF</translation>
+    </message>
+    <message>
+        <source>What is saved, and in which format</source>
+        <translation>Was gespeichert wird, und in welchem Format</translation>
+    </message>
+    <message>
+        <source>Asks for the file to write</source>
+        <translation>Fragt nach der Datei</translation>
+    </message>
+    <message>
+        <source>Ends saving; a video has what was saved so far</source>
+        <translation>Beendet das Speichern; ein Video behält das Gespeicherte</translation>
     </message>
 </context>
 <context>
@@ -5441,6 +5925,30 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>Choose its camera.</source>
         <translation>Wählen Sie seine Kamera.</translation>
     </message>
+    <message>
+        <source>Chooses the folder of the second finger</source>
+        <translation>Wählt den Ordner des zweiten Fingers</translation>
+    </message>
+    <message>
+        <source>Chooses a video or a scene instead of a camera</source>
+        <translation>Wählt ein Video oder eine Szene statt einer Kamera</translation>
+    </message>
+    <message>
+        <source>Chooses the file that describes the gripper</source>
+        <translation>Wählt die Datei, die den Greifer beschreibt</translation>
+    </message>
+    <message>
+        <source>Source of the second finger&apos;s images</source>
+        <translation>Quelle der Bilder des zweiten Fingers</translation>
+    </message>
+    <message>
+        <source>Opens the second finger next to the first</source>
+        <translation>Öffnet den zweiten Finger neben dem ersten</translation>
+    </message>
+    <message>
+        <source>Closes this window without a change (Esc)</source>
+        <translation>Schließt dieses Fenster ohne Änderung (Esc)</translation>
+    </message>
 </context>
 <context>
     <name>alltact::SecondFingerDialog</name>
@@ -5511,6 +6019,26 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>Choose its recording.</source>
         <translation>Wählen Sie seine Aufnahme.</translation>
+    </message>
+    <message>
+        <source>Chooses the folder of the second finger</source>
+        <translation>Wählt den Ordner des zweiten Fingers</translation>
+    </message>
+    <message>
+        <source>A video that was recorded at the same time</source>
+        <translation>Ein gleichzeitig aufgenommenes Video</translation>
+    </message>
+    <message>
+        <source>A folder of images that were recorded at the same time</source>
+        <translation>Ein Ordner gleichzeitig aufgenommener Bilder</translation>
+    </message>
+    <message>
+        <source>Opens the second finger next to the first</source>
+        <translation>Öffnet den zweiten Finger neben dem ersten</translation>
+    </message>
+    <message>
+        <source>Closes this window without a change (Esc)</source>
+        <translation>Schließt dieses Fenster ohne Änderung (Esc)</translation>
     </message>
 </context>
 <context>
@@ -5614,6 +6142,22 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>%1: no signal</source>
         <translation>%1: kein Signal</translation>
     </message>
+    <message>
+        <source>Colours of all windows</source>
+        <translation>Farben aller Fenster</translation>
+    </message>
+    <message>
+        <source>Language of all texts, and the form of numbers and dates</source>
+        <translation>Sprache aller Texte und Form der Zahlen und Daten</translation>
+    </message>
+    <message>
+        <source>Press the pedal or button after this click</source>
+        <translation>Danach das Pedal oder den Knopf drücken</translation>
+    </message>
+    <message>
+        <source>Closes this window (Esc)</source>
+        <translation>Schließt dieses Fenster (Esc)</translation>
+    </message>
 </context>
 <context>
     <name>alltact::SettingsComparison</name>
@@ -5674,12 +6218,12 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Dieses Bild: %1 ms mit der verwendeten Einstellung, %2 ms mit der gewählten.</translation>
     </message>
     <message>
-        <source>Where something presses, half of all points differ by less than %1 µm, 95 % by less than %2 µm.</source>
-        <translation>Wo etwas drückt, weicht die Hälfte aller Punkte um weniger als %1 µm ab, 95 % um weniger als %2 µm.</translation>
-    </message>
-    <message>
         <source>No contact: touch the finger to compare depths.</source>
         <translation>Kein Kontakt: den Finger berühren, um die Tiefen zu vergleichen.</translation>
+    </message>
+    <message>
+        <source>Where something presses, half of all points differ by less than %1 mm, 95 % by less than %2 mm.</source>
+        <translation>Wo etwas drückt, weicht die Hälfte aller Punkte um weniger als %1 mm ab, 95 % um weniger als %2 mm.</translation>
     </message>
 </context>
 <context>
@@ -5807,6 +6351,30 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>Vi&amp;deo file…</source>
         <translation>&amp;Videodatei…</translation>
     </message>
+    <message>
+        <source>A computed finger that bends, to try everything without a camera</source>
+        <translation>Ein berechneter Finger, der sich biegt: zum Ausprobieren ohne Kamera</translation>
+    </message>
+    <message>
+        <source>Plays a recording as if it came from a camera</source>
+        <translation>Spielt eine Aufnahme ab, als käme sie von einer Kamera</translation>
+    </message>
+    <message>
+        <source>Plays the images of a folder by their names</source>
+        <translation>Spielt die Bilder eines Ordners nach Namen ab</translation>
+    </message>
+    <message>
+        <source>Chooses the folder of a finger that exists (Ctrl+O)</source>
+        <translation>Wählt den Ordner eines vorhandenen Fingers (Strg+O)</translation>
+    </message>
+    <message>
+        <source>Describes a finger that is not calibrated yet (Ctrl+N)</source>
+        <translation>Beschreibt einen Finger, der noch nicht kalibriert ist (Strg+N)</translation>
+    </message>
+    <message>
+        <source>Opens the source and the finger of the last time</source>
+        <translation>Öffnet Quelle und Finger vom letzten Mal</translation>
+    </message>
 </context>
 <context>
     <name>alltact::StatusLine</name>
@@ -5864,6 +6432,10 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>%1 %2</source>
         <comment>a step&apos;s number and title</comment>
         <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Opens this step</source>
+        <translation>Öffnet diesen Schritt</translation>
     </message>
 </context>
 <context>
@@ -5996,6 +6568,14 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>Distance A to B</source>
         <translation>Abstand A nach B</translation>
     </message>
+    <message>
+        <source>Puts the readings with their units on the clipboard</source>
+        <translation>Legt die Messwerte mit Einheiten in die Zwischenablage</translation>
+    </message>
+    <message>
+        <source>Puts the readings on the clipboard for a spreadsheet</source>
+        <translation>Legt die Messwerte für eine Tabelle in die Zwischenablage</translation>
+    </message>
 </context>
 <context>
     <name>alltact::TimeLine</name>
@@ -6030,6 +6610,14 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>Next contact or problem</source>
         <translation>Nächster Kontakt oder nächstes Problem</translation>
+    </message>
+    <message>
+        <source>Drag to a frame; arrow keys go frame by frame</source>
+        <translation>Zu einem Bild ziehen; Pfeiltasten gehen Bild für Bild</translation>
+    </message>
+    <message>
+        <source>Number of the shown frame, from 1</source>
+        <translation>Nummer des gezeigten Bildes, ab 1</translation>
     </message>
 </context>
 <context>
@@ -6089,6 +6677,14 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>Enter the ball&apos;s radius, 4 mm. Each press that is held still is taken, until there are six.</source>
         <translation>Geben Sie den Radius der Kugel ein, 4 mm. Jeder Eindruck, der still gehalten wird, wird aufgenommen, bis es sechs sind.</translation>
+    </message>
+    <message>
+        <source>Hides the guide for this finger</source>
+        <translation>Blendet die Anleitung für diesen Finger aus</translation>
+    </message>
+    <message>
+        <source>Opens the page of the next step</source>
+        <translation>Öffnet die Seite des nächsten Schritts</translation>
     </message>
 </context>
 <context>
@@ -6302,6 +6898,26 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>Resolution: %1.</source>
         <translation>Auflösung: %1.</translation>
     </message>
+    <message>
+        <source>Opens the report of the calibration for the lab book (PDF)</source>
+        <translation>Öffnet den Bericht der Kalibrierung fürs Laborbuch (PDF)</translation>
+    </message>
+    <message>
+        <source>Copies the command that repeats this calibration in a terminal</source>
+        <translation>Kopiert den Befehl, der diese Kalibrierung im Terminal wiederholt</translation>
+    </message>
+    <message>
+        <source>What improves this finger&apos;s depth most now</source>
+        <translation>Was die Tiefe dieses Fingers jetzt am meisten verbessert</translation>
+    </message>
+    <message>
+        <source>Shows the remarks instead of the figures</source>
+        <translation>Zeigt die Bemerkungen statt der Diagramme</translation>
+    </message>
+    <message>
+        <source>Shows what more presses would bring instead of the figures</source>
+        <translation>Zeigt statt der Diagramme, was mehr Eindrücke brächten</translation>
+    </message>
 </context>
 <context>
     <name>alltact::ViewBox</name>
@@ -6512,6 +7128,54 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>Recording to compare with</source>
         <translation>Aufnahme zum Vergleich</translation>
+    </message>
+    <message>
+        <source>Shows another measurement next to this one, or the difference of both</source>
+        <translation>Zeigt eine andere Messung daneben, oder die Differenz beider</translation>
+    </message>
+    <message>
+        <source>Where the eye is; drag in the view to turn it</source>
+        <translation>Wo das Auge ist; in der Ansicht ziehen dreht sie</translation>
+    </message>
+    <message>
+        <source>Deeper contacts have the colour of the end of the scale</source>
+        <translation>Tiefere Kontakte haben die Farbe am Ende der Skala</translation>
+    </message>
+    <message>
+        <source>Larger differences have the colours of the ends of the scale</source>
+        <translation>Größere Differenzen haben die Farben an den Enden der Skala</translation>
+    </message>
+    <message>
+        <source>Draws depth larger in 3D; measured values do not change</source>
+        <translation>Zeichnet die Tiefe in 3D größer; Messwerte ändern sich nicht</translation>
+    </message>
+    <message>
+        <source>The same frame, measured with this setting</source>
+        <translation>Dasselbe Bild, mit dieser Einstellung gemessen</translation>
+    </message>
+    <message>
+        <source>Number of the frame to compare with, from 1</source>
+        <translation>Nummer des Vergleichsbildes, ab 1</translation>
+    </message>
+    <message>
+        <source>Side faces, back and base of the finger, in 3D</source>
+        <translation>Seitenflächen, Rückseite und Fuß des Fingers, in 3D</translation>
+    </message>
+    <message>
+        <source>Millimetres along the face, and a stick of a known height, in 3D</source>
+        <translation>Millimeter entlang der Fläche und ein Stab bekannter Höhe, in 3D</translation>
+    </message>
+    <message>
+        <source>The camera with its axes, from which coordinates count, in 3D</source>
+        <translation>Die Kamera mit ihren Achsen, von denen die Koordinaten zählen, in 3D</translation>
+    </message>
+    <message>
+        <source>Thin lines where the face lies without contact, in 3D</source>
+        <translation>Dünne Linien, wo die Fläche ohne Kontakt liegt, in 3D</translation>
+    </message>
+    <message>
+        <source>The face in 3D, or its depth over the image</source>
+        <translation>Die Fläche in 3D, oder ihre Tiefe über dem Bild</translation>
     </message>
 </context>
 <context>
@@ -9457,7 +10121,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>images of this finger with the ball pressed 0.3 mm or more into its face</source>
-        <translation>Bilder dieses Fingers, in dessen Fläche die Kugel 0.3 mm oder mehr gedrückt ist</translation>
+        <translation>Bilder dieses Fingers, in dessen Fläche die Kugel 0,3 mm oder mehr gedrückt ist</translation>
     </message>
     <message>
         <source>measuring the presses of the calibration</source>
@@ -9713,7 +10377,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>images in which the ball, and nothing else, is pressed 0.3 mm or more into the face</source>
-        <translation>Bilder, auf denen nur die Kugel 0.3 mm oder mehr in die Fläche gedrückt ist</translation>
+        <translation>Bilder, auf denen nur die Kugel 0,3 mm oder mehr in die Fläche gedrückt ist</translation>
     </message>
     <message>
         <source>stopped before there was a solution</source>
@@ -9961,7 +10625,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>press next: at another position, 0.5 to 1 mm deep</source>
-        <translation>als Nächstes drücken: an einer anderen Stelle, 0.5 bis 1 mm tief</translation>
+        <translation>als Nächstes drücken: an einer anderen Stelle, 0,5 bis 1 mm tief</translation>
     </message>
     <message>
         <source>press next: {}, {:.1f} mm deep; no press shows whether the mapping holds in that third</source>
@@ -10101,7 +10765,7 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     </message>
     <message>
         <source>corners scatter by {:.2f} px; good boards give 0.2 or less: check focus, motion, and whether the board is flat</source>
-        <translation>die Ecken streuen um {} px; gute Tafeln ergeben 0.2 oder weniger: Schärfe, Bewegung und Ebenheit der Tafel prüfen</translation>
+        <translation>die Ecken streuen um {} px; gute Tafeln ergeben 0,2 oder weniger: Schärfe, Bewegung und Ebenheit der Tafel prüfen</translation>
     </message>
     <message>
         <source>stopped before everything was evaluated</source>
@@ -15678,6 +16342,147 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>neighbouring frames represent it: the recording is long</source>
         <translation>benachbarte Bilder vertreten es: die Aufnahme ist lang</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::CopyFigure</name>
+    <message>
+        <source>Copied: %1 × %2 px</source>
+        <translation>Kopiert: %1 × %2 px</translation>
+    </message>
+    <message>
+        <source>&amp;Copy the figure</source>
+        <translation>Abbildung &amp;kopieren</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::ForceDialog</name>
+    <message>
+        <source>train the forces</source>
+        <translation>Kräfte trainieren</translation>
+    </message>
+    <message>
+        <source>mean force</source>
+        <translation>mittlere Kraft</translation>
+    </message>
+    <message>
+        <source>linear</source>
+        <translation>linear</translation>
+    </message>
+    <message>
+        <source>quadratic</source>
+        <translation>quadratisch</translation>
+    </message>
+    <message>
+        <source>network</source>
+        <translation>Netz</translation>
+    </message>
+    <message>
+        <source>Train the forces</source>
+        <translation>Kräfte trainieren</translation>
+    </message>
+    <message>
+        <source>A table has the markers&apos; positions of each frame and the forces of a gauge, as alltact force --collect writes it. Each stretch is held out once to measure the error.</source>
+        <translation>Eine Tabelle enthält für jedes Bild die Positionen der Marken und die Kräfte eines Kraftmessers, wie alltact force --collect sie schreibt. Jeder Abschnitt wird einmal ausgelassen, um den Fehler zu messen.</translation>
+    </message>
+    <message>
+        <source>Choose &amp;tables…</source>
+        <translation>&amp;Tabellen wählen…</translation>
+    </message>
+    <message>
+        <source>One or more tables of this finger (CSV); training begins at once</source>
+        <translation>Eine oder mehrere Tabellen dieses Fingers (CSV); das Training beginnt sofort</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Anhalten</translation>
+    </message>
+    <message>
+        <source>Ends the training without a result</source>
+        <translation>Beendet das Training ohne Ergebnis</translation>
+    </message>
+    <message>
+        <source>&amp;Install</source>
+        <translation>&amp;Übernehmen</translation>
+    </message>
+    <message>
+        <source>Forces come from this model from now on; undo restores the one before</source>
+        <translation>Kräfte kommen von nun an aus diesem Modell; Rückgängig stellt das vorige wieder her</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Verwerfen</translation>
+    </message>
+    <message>
+        <source>Forgets this result; the finger stays as it is</source>
+        <translation>Verwirft das Ergebnis; der Finger bleibt, wie er ist</translation>
+    </message>
+    <message>
+        <source>Progress of the training</source>
+        <translation>Fortschritt des Trainings</translation>
+    </message>
+    <message>
+        <source>Errors on held-out frames</source>
+        <translation>Fehler an ausgelassenen Bildern</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>Mean error, N</source>
+        <translation>Mittlerer Fehler, N</translation>
+    </message>
+    <message>
+        <source>R²</source>
+        <translation>R²</translation>
+    </message>
+    <message>
+        <source>Chosen</source>
+        <translation>Gewählt</translation>
+    </message>
+    <message>
+        <source>Tables</source>
+        <translation>Tabellen</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>S&amp;chließen</translation>
+    </message>
+    <message>
+        <source>Closes this window (Esc)</source>
+        <translation>Schließt dieses Fenster (Esc)</translation>
+    </message>
+    <message>
+        <source>Tables of markers and forces</source>
+        <translation>Tabellen von Marken und Kräften</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv *.txt *.tsv)</source>
+        <translation>Tabellen (*.csv *.txt *.tsv)</translation>
+    </message>
+    <message>
+        <source>No table yet.</source>
+        <translation>Noch keine Tabelle.</translation>
+    </message>
+    <message>
+        <source>The model is installed.</source>
+        <translation>Das Modell ist übernommen.</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>Of the held-out frames %1 % lie within the 95 % interval; the gauge&apos;s noise is at most %2 N. Values are by axis: Fx, Fy, Fz.</source>
+        <translation>Von den ausgelassenen Bildern liegen %1 % im 95-%-Intervall; das Rauschen des Kraftmessers ist höchstens %2 N. Werte je Achse: Fx, Fy, Fz.</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::SidePanel</name>
+    <message>
+        <source>Drag: width of the panel. Double click: as at first.</source>
+        <translation>Ziehen: Breite der Leiste. Doppelklick: wie zu Beginn.</translation>
     </message>
 </context>
 </TS>

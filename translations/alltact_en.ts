@@ -238,10 +238,10 @@
 <context>
     <name>alltact::PressesPlot</name>
     <message numerus="yes">
-        <source>%n press(es): %1 µm</source>
+        <source>%n press(es): %1 mm</source>
         <translation>
-            <numerusform>%n press: %1 µm</numerusform>
-            <numerusform>%n presses: %1 µm</numerusform>
+            <numerusform>%n press: %1 mm</numerusform>
+            <numerusform>%n presses: %1 mm</numerusform>
         </translation>
     </message>
 </context>

@@ -291,6 +291,34 @@
         <source>position: half within %1 mm</source>
         <translation>位置：一半的点在 %1 mm 内</translation>
     </message>
+    <message>
+        <source>Measures with the setting of the calibration again</source>
+        <translation>恢复使用标定时的设置</translation>
+    </message>
+    <message>
+        <source>Copies the command that does the same in a terminal</source>
+        <translation>复制在终端执行同样操作的命令</translation>
+    </message>
+    <message>
+        <source>Ends measuring; the settings so far are shown</source>
+        <translation>停止测量；显示已测的设置</translation>
+    </message>
+    <message>
+        <source>Computes error and time of many settings from the presses</source>
+        <translation>由按压计算多种设置的误差和耗时</translation>
+    </message>
+    <message>
+        <source>This finger is measured with the chosen setting from now on; undo takes it back</source>
+        <translation>此后用所选设置测量此手指；可撤销</translation>
+    </message>
+    <message>
+        <source>Computes error and time of further settings from the presses</source>
+        <translation>由按压计算更多设置的误差和耗时</translation>
+    </message>
+    <message>
+        <source>Only settings that keep up with it are offered</source>
+        <translation>只提供跟得上此速率的设置</translation>
+    </message>
 </context>
 <context>
     <name>alltact::AccuracyPlot</name>
@@ -358,6 +386,10 @@
     <message>
         <source>Error versus time per image, as a table</source>
         <translation>误差与每张图像的时间（表格）</translation>
+    </message>
+    <message>
+        <source>Order of the rows below</source>
+        <translation>下方各行的顺序</translation>
     </message>
 </context>
 <context>
@@ -447,6 +479,10 @@
     <message>
         <source>&amp;Calibrate</source>
         <translation>标定(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Opens the next step</source>
+        <translation>打开下一步</translation>
     </message>
 </context>
 <context>
@@ -562,6 +598,22 @@
         <source>A check needs %1 presses at different positions: press again.</source>
         <translation>检查需要 %1 次位置不同的按压：请再次按压。</translation>
     </message>
+    <message>
+        <source>Stores the present image as a press of the ball</source>
+        <translation>把当前图像存为一次球的按压</translation>
+    </message>
+    <message>
+        <source>Discards the presses of this check</source>
+        <translation>放弃本次检查的按压</translation>
+    </message>
+    <message>
+        <source>Compares the measured depth with the ball, and adds the result to the history</source>
+        <translation>把测得的深度与球比较，并把结果记入历史</translation>
+    </message>
+    <message>
+        <source>Your name or initials, stored with the check</source>
+        <translation>您的姓名或缩写，随检查一起保存</translation>
+    </message>
 </context>
 <context>
     <name>alltact::CommandSearch</name>
@@ -592,6 +644,10 @@
     <message>
         <source>this page</source>
         <translation>本页</translation>
+    </message>
+    <message>
+        <source>Any words of the command, in any order; Enter runs the marked one</source>
+        <translation>命令中的任意词，顺序不限；Enter 执行所选命令</translation>
     </message>
 </context>
 <context>
@@ -823,6 +879,10 @@
     <message>
         <source>%1 (USB port %2)</source>
         <translation>%1（USB 端口 %2）</translation>
+    </message>
+    <message>
+        <source>Exposure, gain, white balance and focus stay as they are; depth rests on them</source>
+        <translation>曝光、增益、白平衡和对焦保持不变；深度以此为依据</translation>
     </message>
 </context>
 <context>
@@ -1094,6 +1154,26 @@
             <numerusform>此手指未使用的 %n 段录像不包含在 zip 中。</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Chooses the folder to write to</source>
+        <translation>选择写入的文件夹</translation>
+    </message>
+    <message>
+        <source>Copies the command that does the same in a terminal</source>
+        <translation>复制在终端执行同样操作的命令</translation>
+    </message>
+    <message>
+        <source>Writes the ticked files</source>
+        <translation>写入勾选的文件</translation>
+    </message>
+    <message>
+        <source>Ends the export; no unfinished file is left</source>
+        <translation>停止导出；不留下未完成的文件</translation>
+    </message>
+    <message>
+        <source>Closes this window (Esc)</source>
+        <translation>关闭此窗口（Esc）</translation>
+    </message>
 </context>
 <context>
     <name>alltact::FaceMapPlot</name>
@@ -1311,6 +1391,18 @@
         <source>Folder with fingers</source>
         <translation>存放手指的文件夹</translation>
     </message>
+    <message>
+        <source>Opens the selected finger (Enter)</source>
+        <translation>打开所选手指 (Enter)</translation>
+    </message>
+    <message>
+        <source>Adds the fingers of another folder to the list</source>
+        <translation>把另一文件夹中的手指加入列表</translation>
+    </message>
+    <message>
+        <source>Closes this window (Esc)</source>
+        <translation>关闭此窗口（Esc）</translation>
+    </message>
 </context>
 <context>
     <name>alltact::FingerMenu</name>
@@ -1457,6 +1549,34 @@
         <source>Untouched image</source>
         <translation>未触碰的图像</translation>
     </message>
+    <message>
+        <source>Stores this finger on disk, so that it can be calibrated</source>
+        <translation>把此手指存盘，以便标定</translation>
+    </message>
+    <message>
+        <source>Chooses the folder of a finger that exists</source>
+        <translation>选择已有手指的文件夹</translation>
+    </message>
+    <message>
+        <source>There the reference of the untouched finger is recorded</source>
+        <translation>在那里录制未触碰手指的参考</translation>
+    </message>
+    <message>
+        <source>The present image becomes the reference; nothing may touch the face</source>
+        <translation>当前图像成为参考；不能有任何东西接触表面</translation>
+    </message>
+    <message>
+        <source>A stored image of the untouched face becomes the reference</source>
+        <translation>用已存的未触碰图像作为参考</translation>
+    </message>
+    <message>
+        <source>From edge to edge, by caliper</source>
+        <translation>两边缘之间的宽度，用卡尺测量</translation>
+    </message>
+    <message>
+        <source>Of the translucent layer; no depth is larger</source>
+        <translation>半透明层的厚度；深度不会超过它</translation>
+    </message>
 </context>
 <context>
     <name>alltact::FingerStudyRun</name>
@@ -1482,6 +1602,10 @@
     <message>
         <source>Go to Calibrate</source>
         <translation>前往“标定”</translation>
+    </message>
+    <message>
+        <source>Opens the page of what is due for this finger</source>
+        <translation>打开此手指待办事项的页面</translation>
     </message>
 </context>
 <context>
@@ -1565,6 +1689,14 @@
     <message>
         <source>show the force as measured</source>
         <translation>按测量值显示力</translation>
+    </message>
+    <message>
+        <source>Train the forces…</source>
+        <translation>训练力模型…</translation>
+    </message>
+    <message>
+        <source>Makes a force model from a table of markers and a gauge&apos;s forces</source>
+        <translation>用标记点和测力计读数的表建立力模型</translation>
     </message>
 </context>
 <context>
@@ -1787,6 +1919,14 @@
             <numerusform>可区分类别 %n 个</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Copies both tables for a spreadsheet</source>
+        <translation>复制两个表，供电子表格使用</translation>
+    </message>
+    <message>
+        <source>Closes this window (Esc)</source>
+        <translation>关闭此窗口（Esc）</translation>
+    </message>
 </context>
 <context>
     <name>alltact::GripperDialog</name>
@@ -1849,6 +1989,22 @@
     <message>
         <source>Removes the pose from the finger&apos;s file.</source>
         <translation>从手指文件中删除该位姿。</translation>
+    </message>
+    <message>
+        <source>Both fingers are shown in the gripper&apos;s frame</source>
+        <translation>两个手指都在夹爪坐标系中显示</translation>
+    </message>
+    <message>
+        <source>Closes this window without a change (Esc)</source>
+        <translation>关闭此窗口，不作更改（Esc）</translation>
+    </message>
+    <message>
+        <source>Of the camera, in the gripper&apos;s frame</source>
+        <translation>相机在夹爪坐标系中的位置</translation>
+    </message>
+    <message>
+        <source>Of the camera, about the gripper&apos;s axis; x first, then y, then z</source>
+        <translation>相机绕夹爪轴的转角；先 x，再 y，后 z</translation>
     </message>
 </context>
 <context>
@@ -1917,6 +2073,10 @@
         <source>%1 (simulated)</source>
         <translation>%1（仿真）</translation>
     </message>
+    <message>
+        <source>Opens a camera, a recording or the simulated finger</source>
+        <translation>打开相机、录像或模拟手指</translation>
+    </message>
 </context>
 <context>
     <name>alltact::HelpMenu</name>
@@ -1968,6 +2128,14 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>PDF files (*.pdf)</source>
         <translation>PDF 文件 (*.pdf)</translation>
     </message>
+    <message>
+        <source>&amp;Keys</source>
+        <translation>按键(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Closes this window (Esc)</source>
+        <translation>关闭此窗口（Esc）</translation>
+    </message>
 </context>
 <context>
     <name>alltact::HelpWindow</name>
@@ -1990,6 +2158,14 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>&amp;Close</source>
         <translation>关闭(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>按键</translation>
+    </message>
+    <message>
+        <source>Closes this window (Esc)</source>
+        <translation>关闭此窗口（Esc）</translation>
     </message>
 </context>
 <context>
@@ -2280,6 +2456,18 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>%1, %2 mm rms off</source>
         <translation>%1，偏差 %2 mm（均方根）</translation>
     </message>
+    <message>
+        <source>Shows the open source instead of a recording</source>
+        <translation>显示打开的来源而不是录像</translation>
+    </message>
+    <message>
+        <source>Inspects a recorded video of this finger</source>
+        <translation>检视此手指的录制视频</translation>
+    </message>
+    <message>
+        <source>Inspects a folder of images of this finger</source>
+        <translation>检视此手指的图像文件夹</translation>
+    </message>
 </context>
 <context>
     <name>alltact::InspectSide</name>
@@ -2406,6 +2594,22 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
             <numerusform>%n 帧，无公差。</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Ends the inspection without a result</source>
+        <translation>结束检视，没有结果</translation>
+    </message>
+    <message>
+        <source>The table that alltact inspect writes, to the byte</source>
+        <translation>与 alltact inspect 写出的表完全相同</translation>
+    </message>
+    <message>
+        <source>A PDF to sign, in English</source>
+        <translation>可供签字的英文 PDF</translation>
+    </message>
+    <message>
+        <source>Closes this window (Esc)</source>
+        <translation>关闭此窗口（Esc）</translation>
+    </message>
 </context>
 <context>
     <name>alltact::LocalText</name>
@@ -2517,6 +2721,26 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>Choose the device that dims the finger&apos;s lamp, if there is one.</source>
         <translation>如有给手指的灯调光的设备，请选择它。</translation>
+    </message>
+    <message>
+        <source>USB device that dims the lamp; none leaves the lamp alone</source>
+        <translation>调节灯光的 USB 设备；不选则不控制灯</translation>
+    </message>
+    <message>
+        <source>Lists the dimmers that are plugged in now</source>
+        <translation>列出当前插入的调光器</translation>
+    </message>
+    <message>
+        <source>The pin or report that the lamp is connected to</source>
+        <translation>灯所接的引脚或报告</translation>
+    </message>
+    <message>
+        <source>Number, bytes and range of the HID report that sets the brightness</source>
+        <translation>设置亮度的 HID 报告的编号、字节和范围</translation>
+    </message>
+    <message>
+        <source>In per cent; every recorded image stores it</source>
+        <translation>百分比；每张录制的图像都会保存它</translation>
     </message>
 </context>
 <context>
@@ -2648,6 +2872,30 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>AprilGrid</source>
         <translation>AprilGrid</translation>
+    </message>
+    <message>
+        <source>What is printed on the board</source>
+        <translation>标定板上印的图案</translation>
+    </message>
+    <message>
+        <source>Counted on the board, along its long side</source>
+        <translation>沿标定板长边数得</translation>
+    </message>
+    <message>
+        <source>Counted on the board, along its short side</source>
+        <translation>沿标定板短边数得</translation>
+    </message>
+    <message>
+        <source>How the lens bends rays; fisheye for very wide angles</source>
+        <translation>镜头的光线模型；视角很大时用鱼眼</translation>
+    </message>
+    <message>
+        <source>Measured on the printed board, by caliper over several squares</source>
+        <translation>在打印的标定板上用卡尺跨多个方格测得</translation>
+    </message>
+    <message>
+        <source>The forecast of the depth&apos;s error is for this distance</source>
+        <translation>深度误差的预测针对此距离</translation>
     </message>
 </context>
 <context>
@@ -2868,6 +3116,38 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>Automatically when ne&amp;w and still</source>
         <translation>位置新且静止时自动采集(&amp;W)</translation>
     </message>
+    <message>
+        <source>Uses a lens that was measured before</source>
+        <translation>使用以前测量过的镜头</translation>
+    </message>
+    <message>
+        <source>Images or a video of the board, seen from many sides</source>
+        <translation>从多个方向拍摄的标定板图像或视频</translation>
+    </message>
+    <message>
+        <source>Chooses stored images of the board</source>
+        <translation>选择已存的标定板图像</translation>
+    </message>
+    <message>
+        <source>Computes the camera file from the views of the board</source>
+        <translation>由标定板的各视图计算相机文件</translation>
+    </message>
+    <message>
+        <source>Ends the measurement without a result</source>
+        <translation>结束测量，没有结果</translation>
+    </message>
+    <message>
+        <source>The lens of a simulated camera is known exactly</source>
+        <translation>模拟相机的镜头是精确已知的</translation>
+    </message>
+    <message>
+        <source>Stores the present image as a view of the board</source>
+        <translation>把当前图像存为标定板的一个视图</translation>
+    </message>
+    <message>
+        <source>The lens is measured without it</source>
+        <translation>测量镜头时不使用它</translation>
+    </message>
 </context>
 <context>
     <name>alltact::LivePairBox</name>
@@ -2950,6 +3230,14 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>No jointly held object.</source>
         <translation>两个手指没有共同夹住任何东西。</translation>
+    </message>
+    <message>
+        <source>Shows another finger with its own camera at the same moment</source>
+        <translation>同时显示另一个带相机的手指</translation>
+    </message>
+    <message>
+        <source>Shows the first finger alone again</source>
+        <translation>只显示第一个手指</translation>
     </message>
 </context>
 <context>
@@ -3128,6 +3416,22 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>Colours e&amp;nd at</source>
         <translation>颜色上限(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Deeper contacts have the colour of the end of the scale</source>
+        <translation>更深的接触显示为色标末端的颜色</translation>
+    </message>
+    <message>
+        <source>Both edges of the face, as they are found in this image</source>
+        <translation>在此图像中找到的接触面的两条边缘</translation>
+    </message>
+    <message>
+        <source>Arrow: displacement of the finger; it grows with the force</source>
+        <translation>箭头：手指的位移，随力增大</translation>
+    </message>
+    <message>
+        <source>How deep the face is pressed in; the scale is in mm</source>
+        <translation>接触面被压入的深度；色标单位为 mm</translation>
     </message>
 </context>
 <context>
@@ -3317,6 +3621,18 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>Ball</source>
         <translation>球</translation>
     </message>
+    <message>
+        <source>Opens the chosen press on the step Presses</source>
+        <translation>在按压步骤中打开所选按压</translation>
+    </message>
+    <message>
+        <source>A press that is left out stays stored; the next calibration does not use it</source>
+        <translation>排除的按压仍保存；下次标定不使用它</translation>
+    </message>
+    <message>
+        <source>Computes the mapping from all presses; undo restores the one before</source>
+        <translation>由所有按压计算映射；撤销可恢复之前的映射</translation>
+    </message>
 </context>
 <context>
     <name>alltact::MappingPlot</name>
@@ -3390,6 +3706,10 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>No tested option improves the result.</source>
         <translation>所试的选项都不能改善结果。</translation>
+    </message>
+    <message>
+        <source>Calibrates with fewer and with painted presses; takes a minute</source>
+        <translation>用较少和绘制的按压标定；约需一分钟</translation>
     </message>
 </context>
 <context>
@@ -3546,6 +3866,50 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>Choose its file, or enter the size of a pixel and choose the untouched image.</source>
         <translation>请选择相机文件，或输入像素尺寸并选择未触碰的图像。</translation>
     </message>
+    <message>
+        <source>An image of the face without contact</source>
+        <translation>无接触时接触面的图像</translation>
+    </message>
+    <message>
+        <source>Chooses where the finger&apos;s folder is made</source>
+        <translation>选择建立手指文件夹的位置</translation>
+    </message>
+    <message>
+        <source>The file that the lens calibration wrote</source>
+        <translation>镜头标定写出的文件</translation>
+    </message>
+    <message>
+        <source>Whether the face bends</source>
+        <translation>接触面是否弯曲</translation>
+    </message>
+    <message>
+        <source>How the dots differ from the skin around them</source>
+        <translation>标记点与周围表皮的明暗差别</translation>
+    </message>
+    <message>
+        <source>From edge to edge, by caliper</source>
+        <translation>两边缘之间的宽度，用卡尺测量</translation>
+    </message>
+    <message>
+        <source>Of the translucent layer; no depth is larger</source>
+        <translation>半透明层的厚度；深度不会超过它</translation>
+    </message>
+    <message>
+        <source>From the lens to the face</source>
+        <translation>镜头到接触面的距离</translation>
+    </message>
+    <message>
+        <source>Counted on one side of the face; 0 for none</source>
+        <translation>在接触面一侧数得；没有则为 0</translation>
+    </message>
+    <message>
+        <source>Writes the folder and opens the finger</source>
+        <translation>建立文件夹并打开手指</translation>
+    </message>
+    <message>
+        <source>Closes this window without a change (Esc)</source>
+        <translation>关闭此窗口，不作更改（Esc）</translation>
+    </message>
 </context>
 <context>
     <name>alltact::OutlineEditor</name>
@@ -3631,6 +3995,14 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>&lt;b&gt;%1 mm&lt;/b&gt; shortest distance between the faces, near X %2, Y %3, Z %4 mm</source>
         <translation>两个接触面最近处相距 &lt;b&gt;%1 mm&lt;/b&gt;，位于 X %2、Y %3、Z %4 mm 附近</translation>
+    </message>
+    <message>
+        <source>Shows the first finger alone again</source>
+        <translation>只显示第一个手指</translation>
+    </message>
+    <message>
+        <source>Shows another finger of the same moment next to this one</source>
+        <translation>在旁边显示同一时刻的另一手指</translation>
     </message>
 </context>
 <context>
@@ -3776,6 +4148,14 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>&amp;Understood</source>
         <translation>明白了(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Hides this hint; the help (F1) has it</source>
+        <translation>隐藏此提示；帮助 (F1) 中有同样内容</translation>
+    </message>
+    <message>
+        <source>Opens the help of this page</source>
+        <translation>打开此页面的帮助</translation>
     </message>
 </context>
 <context>
@@ -4553,18 +4933,40 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>Waiting for the ball&apos;s radius.</source>
         <translation>等待输入球的半径。</translation>
     </message>
+    <message>
+        <source>Adds stored images of presses; they can be dropped here, too</source>
+        <translation>添加已存的按压图像，也可拖放到这里</translation>
+    </message>
+    <message>
+        <source>Shows the camera, for the next press</source>
+        <translation>显示相机，用于下一次按压</translation>
+    </message>
+    <message>
+        <source>Your name or initials, stored with the presses</source>
+        <translation>您的姓名或缩写，随按压一起保存</translation>
+    </message>
+    <message>
+        <source>Stores the present image as a press of the ball</source>
+        <translation>把当前图像存为一次球的按压</translation>
+    </message>
+    <message>
+        <source>For a press with another ball, a known depth, or a punch</source>
+        <translation>用于另一球、已知深度或冲头的按压</translation>
+    </message>
+    <message>
+        <source>Shows the press that is chosen in the list</source>
+        <translation>显示列表中所选的按压</translation>
+    </message>
+    <message>
+        <source>Half of the diameter that a caliper or the data sheet gives</source>
+        <translation>卡尺或数据表所给直径的一半</translation>
+    </message>
 </context>
 <context>
     <name>alltact::PressesPlot</name>
     <message>
         <source>Depth error by number of presses</source>
         <translation>深度误差随按压次数的变化</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n press(es): %1 µm</source>
-        <translation>
-            <numerusform>%n 次按压：%1 µm</numerusform>
-        </translation>
     </message>
     <message>
         <source>Nothing is computed yet</source>
@@ -4586,9 +4988,15 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>Presses</source>
         <translation>按压次数</translation>
     </message>
+    <message numerus="yes">
+        <source>%n press(es): %1 mm</source>
+        <translation>
+            <numerusform>%n 次按压：%1 mm</numerusform>
+        </translation>
+    </message>
     <message>
-        <source>Depth error (µm)</source>
-        <translation>深度误差 (µm)</translation>
+        <source>Depth error (mm)</source>
+        <translation>深度误差 (mm)</translation>
     </message>
 </context>
 <context>
@@ -4678,6 +5086,10 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>Show all in full</source>
         <translation>完整显示全部</translation>
     </message>
+    <message>
+        <source>Does what the message advises</source>
+        <translation>执行消息所建议的操作</translation>
+    </message>
 </context>
 <context>
     <name>alltact::QuickGuide</name>
@@ -4730,6 +5142,22 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>The lower limit must be below the upper one.</source>
         <translation>下限必须小于上限。</translation>
+    </message>
+    <message>
+        <source>Takes this name and these limits</source>
+        <translation>采用此名称和限值</translation>
+    </message>
+    <message>
+        <source>Closes this window without a change (Esc)</source>
+        <translation>关闭此窗口，不作更改（Esc）</translation>
+    </message>
+    <message>
+        <source>Name of the value in tables and reports</source>
+        <translation>该值在表格和报告中的名称</translation>
+    </message>
+    <message>
+        <source>A value beyond it fails; near it, the standard deviation decides</source>
+        <translation>超出即不合格；接近时由标准差判定</translation>
     </message>
 </context>
 <context>
@@ -4864,6 +5292,22 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>Save the recipe</source>
         <translation>保存配方</translation>
+    </message>
+    <message>
+        <source>Name and limits of the selected reading</source>
+        <translation>所选读数的名称和限值</translation>
+    </message>
+    <message>
+        <source>Takes the selected reading out of the recipe</source>
+        <translation>从配方中移除所选读数</translation>
+    </message>
+    <message>
+        <source>Replaces the readings by those of a file</source>
+        <translation>用文件中的读数替换</translation>
+    </message>
+    <message>
+        <source>Writes the readings to a file, for other recordings and fingers</source>
+        <translation>把读数写入文件，用于其他录像和手指</translation>
     </message>
 </context>
 <context>
@@ -5204,6 +5648,30 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>Installed; the finger is being loaded with it.</source>
         <translation>已安装；正在用它加载手指。</translation>
     </message>
+    <message>
+        <source>Chooses the file to record to</source>
+        <translation>选择录制的文件</translation>
+    </message>
+    <message>
+        <source>Depth is measured against it from now on; undo restores the one before</source>
+        <translation>此后以它为参考测量深度；撤销可恢复之前的参考</translation>
+    </message>
+    <message>
+        <source>Opens it on the page Inspect</source>
+        <translation>在检视页面中打开</translation>
+    </message>
+    <message>
+        <source>There presses of a ball give the depth</source>
+        <translation>在那里用球的按压得到深度</translation>
+    </message>
+    <message>
+        <source>Examines a stored recording as if it had just been made</source>
+        <translation>像刚录制一样分析已存的录像</translation>
+    </message>
+    <message>
+        <source>The finger keeps its present reference</source>
+        <translation>手指保留当前参考</translation>
+    </message>
 </context>
 <context>
     <name>alltact::RigCheckBox</name>
@@ -5248,6 +5716,10 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>
             <numerusform>首次录制之前：有 %n 项需要处理</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>What is checked before the first recording; a click shows or hides it</source>
+        <translation>首次录制前的检查项目；单击可显示或隐藏</translation>
     </message>
 </context>
 <context>
@@ -5307,6 +5779,18 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>Depth map in mm, TIFF</source>
         <translation>毫米深度图，TIFF</translation>
+    </message>
+    <message>
+        <source>What is saved, and in which format</source>
+        <translation>保存的内容和格式</translation>
+    </message>
+    <message>
+        <source>Asks for the file to write</source>
+        <translation>选择要写入的文件</translation>
+    </message>
+    <message>
+        <source>Ends saving; a video has what was saved so far</source>
+        <translation>停止保存；视频保留已写入的部分</translation>
     </message>
 </context>
 <context>
@@ -5399,6 +5883,30 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>Choose its camera.</source>
         <translation>请选择观察该手指的相机。</translation>
     </message>
+    <message>
+        <source>Chooses the folder of the second finger</source>
+        <translation>选择第二个手指的文件夹</translation>
+    </message>
+    <message>
+        <source>Chooses a video or a scene instead of a camera</source>
+        <translation>选择视频或场景代替相机</translation>
+    </message>
+    <message>
+        <source>Chooses the file that describes the gripper</source>
+        <translation>选择描述夹爪的文件</translation>
+    </message>
+    <message>
+        <source>Source of the second finger&apos;s images</source>
+        <translation>第二个手指的图像来源</translation>
+    </message>
+    <message>
+        <source>Opens the second finger next to the first</source>
+        <translation>在第一个手指旁打开第二个</translation>
+    </message>
+    <message>
+        <source>Closes this window without a change (Esc)</source>
+        <translation>关闭此窗口，不作更改（Esc）</translation>
+    </message>
 </context>
 <context>
     <name>alltact::SecondFingerDialog</name>
@@ -5469,6 +5977,26 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>Choose its recording.</source>
         <translation>请选择它的录像。</translation>
+    </message>
+    <message>
+        <source>Chooses the folder of the second finger</source>
+        <translation>选择第二个手指的文件夹</translation>
+    </message>
+    <message>
+        <source>A video that was recorded at the same time</source>
+        <translation>同时录制的视频</translation>
+    </message>
+    <message>
+        <source>A folder of images that were recorded at the same time</source>
+        <translation>同时录制的图像文件夹</translation>
+    </message>
+    <message>
+        <source>Opens the second finger next to the first</source>
+        <translation>在第一个手指旁打开第二个</translation>
+    </message>
+    <message>
+        <source>Closes this window without a change (Esc)</source>
+        <translation>关闭此窗口，不作更改（Esc）</translation>
     </message>
 </context>
 <context>
@@ -5572,6 +6100,22 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>%1: no signal</source>
         <translation>%1：无信号</translation>
     </message>
+    <message>
+        <source>Colours of all windows</source>
+        <translation>所有窗口的颜色</translation>
+    </message>
+    <message>
+        <source>Language of all texts, and the form of numbers and dates</source>
+        <translation>所有文字的语言，以及数字和日期的格式</translation>
+    </message>
+    <message>
+        <source>Press the pedal or button after this click</source>
+        <translation>单击后踩下踏板或按下按钮</translation>
+    </message>
+    <message>
+        <source>Closes this window (Esc)</source>
+        <translation>关闭此窗口（Esc）</translation>
+    </message>
 </context>
 <context>
     <name>alltact::SettingsComparison</name>
@@ -5632,12 +6176,12 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>这张图像：当前设置 %1 ms，所选设置 %2 ms。</translation>
     </message>
     <message>
-        <source>Where something presses, half of all points differ by less than %1 µm, 95 % by less than %2 µm.</source>
-        <translation>在有按压处，一半的点相差小于 %1 µm，95 % 小于 %2 µm。</translation>
-    </message>
-    <message>
         <source>No contact: touch the finger to compare depths.</source>
         <translation>没有接触：请触碰手指以比较深度。</translation>
+    </message>
+    <message>
+        <source>Where something presses, half of all points differ by less than %1 mm, 95 % by less than %2 mm.</source>
+        <translation>在有按压处，一半的点相差小于 %1 mm，95 % 小于 %2 mm。</translation>
     </message>
 </context>
 <context>
@@ -5765,6 +6309,30 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>Vi&amp;deo file…</source>
         <translation>视频文件(&amp;D)…</translation>
     </message>
+    <message>
+        <source>A computed finger that bends, to try everything without a camera</source>
+        <translation>模拟的弯曲手指，无需相机即可试用全部功能</translation>
+    </message>
+    <message>
+        <source>Plays a recording as if it came from a camera</source>
+        <translation>像相机一样播放录像</translation>
+    </message>
+    <message>
+        <source>Plays the images of a folder by their names</source>
+        <translation>按名称顺序播放文件夹中的图像</translation>
+    </message>
+    <message>
+        <source>Chooses the folder of a finger that exists (Ctrl+O)</source>
+        <translation>选择已有手指的文件夹 (Ctrl+O)</translation>
+    </message>
+    <message>
+        <source>Describes a finger that is not calibrated yet (Ctrl+N)</source>
+        <translation>描述尚未标定的手指 (Ctrl+N)</translation>
+    </message>
+    <message>
+        <source>Opens the source and the finger of the last time</source>
+        <translation>打开上次的来源和手指</translation>
+    </message>
 </context>
 <context>
     <name>alltact::StatusLine</name>
@@ -5821,6 +6389,10 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>%1 %2</source>
         <comment>a step&apos;s number and title</comment>
         <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Opens this step</source>
+        <translation>打开此步骤</translation>
     </message>
 </context>
 <context>
@@ -5953,6 +6525,14 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>Distance A to B</source>
         <translation>A 到 B 的距离</translation>
     </message>
+    <message>
+        <source>Puts the readings with their units on the clipboard</source>
+        <translation>把读数连同单位复制到剪贴板</translation>
+    </message>
+    <message>
+        <source>Puts the readings on the clipboard for a spreadsheet</source>
+        <translation>把读数复制到剪贴板，供电子表格使用</translation>
+    </message>
 </context>
 <context>
     <name>alltact::TimeLine</name>
@@ -5987,6 +6567,14 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>Next contact or problem</source>
         <translation>下一个接触或问题</translation>
+    </message>
+    <message>
+        <source>Drag to a frame; arrow keys go frame by frame</source>
+        <translation>拖到某一帧；方向键逐帧移动</translation>
+    </message>
+    <message>
+        <source>Number of the shown frame, from 1</source>
+        <translation>所示帧的编号，从 1 开始</translation>
     </message>
 </context>
 <context>
@@ -6046,6 +6634,14 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>Enter the ball&apos;s radius, 4 mm. Each press that is held still is taken, until there are six.</source>
         <translation>请输入球半径 4 mm。每次保持静止的按压都会自动拍摄，拍满六次为止。</translation>
+    </message>
+    <message>
+        <source>Hides the guide for this finger</source>
+        <translation>隐藏此手指的引导</translation>
+    </message>
+    <message>
+        <source>Opens the page of the next step</source>
+        <translation>打开下一步的页面</translation>
     </message>
 </context>
 <context>
@@ -6255,6 +6851,26 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>Resolution: %1.</source>
         <translation>分辨率：%1。</translation>
+    </message>
+    <message>
+        <source>Opens the report of the calibration for the lab book (PDF)</source>
+        <translation>打开标定报告，用于实验记录（PDF）</translation>
+    </message>
+    <message>
+        <source>Copies the command that repeats this calibration in a terminal</source>
+        <translation>复制可在终端重复此标定的命令</translation>
+    </message>
+    <message>
+        <source>What improves this finger&apos;s depth most now</source>
+        <translation>目前最能改进此手指深度的事</translation>
+    </message>
+    <message>
+        <source>Shows the remarks instead of the figures</source>
+        <translation>显示备注而不是图</translation>
+    </message>
+    <message>
+        <source>Shows what more presses would bring instead of the figures</source>
+        <translation>不显示图，而显示更多按压带来的改进</translation>
     </message>
 </context>
 <context>
@@ -6466,6 +7082,54 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>Recording to compare with</source>
         <translation>用于比较的录像</translation>
+    </message>
+    <message>
+        <source>Shows another measurement next to this one, or the difference of both</source>
+        <translation>并排显示另一测量，或两者之差</translation>
+    </message>
+    <message>
+        <source>Where the eye is; drag in the view to turn it</source>
+        <translation>视点位置；在视图中拖动可转动</translation>
+    </message>
+    <message>
+        <source>Deeper contacts have the colour of the end of the scale</source>
+        <translation>更深的接触显示为色标末端的颜色</translation>
+    </message>
+    <message>
+        <source>Larger differences have the colours of the ends of the scale</source>
+        <translation>更大的差别显示为色标两端的颜色</translation>
+    </message>
+    <message>
+        <source>Draws depth larger in 3D; measured values do not change</source>
+        <translation>在三维中放大显示深度；测量值不变</translation>
+    </message>
+    <message>
+        <source>The same frame, measured with this setting</source>
+        <translation>用此设置测量同一帧</translation>
+    </message>
+    <message>
+        <source>Number of the frame to compare with, from 1</source>
+        <translation>比较帧的编号，从 1 开始</translation>
+    </message>
+    <message>
+        <source>Side faces, back and base of the finger, in 3D</source>
+        <translation>手指的侧面、背面和根部（三维）</translation>
+    </message>
+    <message>
+        <source>Millimetres along the face, and a stick of a known height, in 3D</source>
+        <translation>沿接触面的毫米刻度和已知高度的短杆（三维）</translation>
+    </message>
+    <message>
+        <source>The camera with its axes, from which coordinates count, in 3D</source>
+        <translation>相机及其坐标轴，坐标由此算起（三维）</translation>
+    </message>
+    <message>
+        <source>Thin lines where the face lies without contact, in 3D</source>
+        <translation>无接触时接触面的位置，以细线表示（三维）</translation>
+    </message>
+    <message>
+        <source>The face in 3D, or its depth over the image</source>
+        <translation>三维接触面，或图像上的深度</translation>
     </message>
 </context>
 <context>
@@ -15609,6 +16273,147 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>neighbouring frames represent it: the recording is long</source>
         <translation>由相邻帧代表：录像较长</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::CopyFigure</name>
+    <message>
+        <source>Copied: %1 × %2 px</source>
+        <translation>已复制：%1 × %2 px</translation>
+    </message>
+    <message>
+        <source>&amp;Copy the figure</source>
+        <translation>复制图形(&amp;C)</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::ForceDialog</name>
+    <message>
+        <source>train the forces</source>
+        <translation>训练力模型</translation>
+    </message>
+    <message>
+        <source>mean force</source>
+        <translation>平均力</translation>
+    </message>
+    <message>
+        <source>linear</source>
+        <translation>线性</translation>
+    </message>
+    <message>
+        <source>quadratic</source>
+        <translation>二次</translation>
+    </message>
+    <message>
+        <source>network</source>
+        <translation>网络</translation>
+    </message>
+    <message>
+        <source>Train the forces</source>
+        <translation>训练力模型</translation>
+    </message>
+    <message>
+        <source>A table has the markers&apos; positions of each frame and the forces of a gauge, as alltact force --collect writes it. Each stretch is held out once to measure the error.</source>
+        <translation>表中有每帧的标记点位置和测力计的力，可用 alltact force --collect 生成。每一段都会被留出一次，用来测量误差。</translation>
+    </message>
+    <message>
+        <source>Choose &amp;tables…</source>
+        <translation>选择表(&amp;T)…</translation>
+    </message>
+    <message>
+        <source>One or more tables of this finger (CSV); training begins at once</source>
+        <translation>此手指的一个或多个表（CSV）；立即开始训练</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>停止(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Ends the training without a result</source>
+        <translation>结束训练，没有结果</translation>
+    </message>
+    <message>
+        <source>&amp;Install</source>
+        <translation>采用(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Forces come from this model from now on; undo restores the one before</source>
+        <translation>此后由此模型计算力；撤销可恢复之前的模型</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>放弃(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Forgets this result; the finger stays as it is</source>
+        <translation>放弃此结果；手指保持不变</translation>
+    </message>
+    <message>
+        <source>Progress of the training</source>
+        <translation>训练进度</translation>
+    </message>
+    <message>
+        <source>Errors on held-out frames</source>
+        <translation>留出帧的误差</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>模型</translation>
+    </message>
+    <message>
+        <source>Mean error, N</source>
+        <translation>平均误差，N</translation>
+    </message>
+    <message>
+        <source>R²</source>
+        <translation>R²</translation>
+    </message>
+    <message>
+        <source>Chosen</source>
+        <translation>选中</translation>
+    </message>
+    <message>
+        <source>Tables</source>
+        <translation>表</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>关闭(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Closes this window (Esc)</source>
+        <translation>关闭此窗口（Esc）</translation>
+    </message>
+    <message>
+        <source>Tables of markers and forces</source>
+        <translation>标记点和力的表</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv *.txt *.tsv)</source>
+        <translation>表 (*.csv *.txt *.tsv)</translation>
+    </message>
+    <message>
+        <source>No table yet.</source>
+        <translation>还没有表。</translation>
+    </message>
+    <message>
+        <source>The model is installed.</source>
+        <translation>模型已采用。</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>是</translation>
+    </message>
+    <message>
+        <source>Of the held-out frames %1 % lie within the 95 % interval; the gauge&apos;s noise is at most %2 N. Values are by axis: Fx, Fy, Fz.</source>
+        <translation>留出的帧中有 %1 % 落在 95 % 区间内；测力计的噪声不超过 %2 N。各值按轴排列：Fx、Fy、Fz。</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::SidePanel</name>
+    <message>
+        <source>Drag: width of the panel. Double click: as at first.</source>
+        <translation>拖动：面板宽度。双击：恢复初始宽度。</translation>
     </message>
 </context>
 </TS>

@@ -4,6 +4,7 @@
 
 #include <QCoreApplication>
 #include <QLocale>
+#include <QRegularExpression>
 #include <cmath>
 
 namespace alltact {
@@ -104,6 +105,18 @@ QString joined_clauses(const QStringList& clauses) {
 
 QString labelled(const QString& label, const QString& what) {
   return label + LocalText::tr(": ", "after what names the next") + what;
+}
+
+QString day_text(const QDate& day) {
+  const QLocale locale;
+  if (locale.language() == QLocale::English || locale.language() == QLocale::C)
+    return locale.toString(day, QStringLiteral("d MMM yyyy"));
+  static const QRegularExpression weekday(QStringLiteral("[,\\s]*dddd[,\\s]*"));
+  return locale.toString(day, locale.dateFormat(QLocale::LongFormat).remove(weekday));
+}
+
+QString moment_text(const QDateTime& moment) {
+  return joined({day_text(moment.date()), moment.toString(QStringLiteral("HH:mm"))});
 }
 
 QString plain_number(double value, int digits) {

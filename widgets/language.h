@@ -3,6 +3,7 @@
 
 #include "core/base/message.h"
 
+#include <QDateTime>
 #include <QLocale>
 #include <QString>
 #include <QStringList>
@@ -56,6 +57,13 @@ QString joined_clauses(const QStringList& clauses);
 
 /// A label and its value: "Camera: front".
 QString labelled(const QString& label, const QString& what);
+
+// Days and times as text in the window's language.
+
+/// A day whose month is a word, so that nobody takes it for another: "30 Nov 2026".
+[[nodiscard]] QString day_text(const QDate& day);
+/// "30 Nov 2026, 14:05".
+[[nodiscard]] QString moment_text(const QDateTime& moment);
 
 // Measured numbers as text in the window's language.
 

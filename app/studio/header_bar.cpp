@@ -98,6 +98,7 @@ void FingerSummary::set_led(bool is_guided, const std::string& page, const std::
 
 void FingerSummary::show_summary() {
   setVisible(card_.has_value() && !is_guided_);
+  due_->setToolTip(tr("Opens the page of what is due for this finger"));
   if (!card_) return;
   const Meaning meaning = headline_of(*card_).meaning;
   symbol_->setPixmap(symbol(meaning_symbol(meaning), meaning_colour(meaning, palette()),
@@ -179,7 +180,8 @@ void HeaderBar::follow() {
   source_->setText(cut_to_button(source));
   source_->setAccessibleName(tr("Source: %1").arg(source));
   const auto& inputs = work_.state().source;
-  source_->setToolTip(inputs.empty() ? QString() : QString::fromStdString(inputs.front().string()));
+  source_->setToolTip(inputs.empty() ? tr("Opens a camera, a recording or the simulated finger")
+                                     : QString::fromStdString(inputs.front().string()));
 }
 
 QString HeaderBar::cut_to_button(const QString& name) const {

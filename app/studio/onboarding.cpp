@@ -69,6 +69,7 @@ Tutorial::Tutorial(LiveSession& session, Workspace& work, CalibratePage& calibra
   say([this] {
     setAccessibleName(tr("A day with a simulated finger"));
     end_->setText(tr("End the &guide"));
+    end_->setToolTip(tr("Hides the guide for this finger"));
     follow();
   });
 }
@@ -130,6 +131,7 @@ void Tutorial::follow() {
   lead_->setText(now == Step::kRecord ? tr("Go to &Record")
                  : now == Step::kDone ? tr("Go to &Inspect")
                                       : tr("Go to &Calibrate"));
+  lead_->setToolTip(tr("Opens the page of the next step"));
   const std::string there = page_of_step();
   const bool is_elsewhere = now != Step::kFinger && page_ != there && leads_to_ != there;
   lead_->setVisible(is_elsewhere);
@@ -196,7 +198,9 @@ PageHint::PageHint(const Tutorial& guide, QWidget* parent)
   say([this] {
     setAccessibleName(tr("Purpose of this page"));
     more_->setText(tr("How it is &done (F1)"));
+    more_->setToolTip(tr("Opens the help of this page"));
     seen_->setText(tr("&Understood"));
+    seen_->setToolTip(tr("Hides this hint; the help (F1) has it"));
     follow();
   });
 }

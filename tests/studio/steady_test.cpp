@@ -27,7 +27,7 @@ std::string described(const QWidget& widget) {
   return fmt::format("{} \"{}\"", widget.metaObject()->className(), name.toStdString());
 }
 
-std::string text_of(const QRect& rect) {
+std::string rect_text(const QRect& rect) {
   return fmt::format("({}, {}) {} x {}", rect.x(), rect.y(), rect.width(), rect.height());
 }
 
@@ -40,8 +40,8 @@ class Controls {
     QTest::qWait(60);  // layouts follow with the next turns of the loop
     for (const auto& [widget, before] : known_)
       if (widget && widget->isVisible() && rect_of(*widget) != before)
-        ADD_FAILURE() << after << ": " << described(*widget) << " was at " << text_of(before)
-                      << ", is at " << text_of(rect_of(*widget)) << texts();
+        ADD_FAILURE() << after << ": " << described(*widget) << " was at " << rect_text(before)
+                      << ", is at " << rect_text(rect_of(*widget)) << texts();
     remember();
   }
   /// Of the messages that come and go.
@@ -49,7 +49,7 @@ class Controls {
     std::string all;
     for (const auto* text : window_.findChildren<ReservedText*>())
       if (text->isVisible())
-        all += fmt::format("\n  {}: {}", text_of(rect_of(*text)), text->text().toStdString());
+        all += fmt::format("\n  {}: {}", rect_text(rect_of(*text)), text->text().toStdString());
     return all;
   }
   void remember() {

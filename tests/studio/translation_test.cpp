@@ -114,6 +114,37 @@ TEST_P(Language, FillsEveryHoleThatIsSaid) {
   EXPECT_GT(counted, 2);
 }
 
+/// But for versions, and for what is typed into files and commands, which have a point.
+TEST(Translations, WriteNumbersWithTheLanguagesDecimalMark) {
+  static const QRegularExpression number(QStringLiteral("[0-9]\\.[0-9]"));
+  static const QRegularExpression typed(
+      QStringLiteral("OpenGL|OpenCV|for example|such as|e\\.g\\.|with a point|\\[|=|half_mm|"
+                     "must be a (number|column)|1 for air|x/y/z|'y 1\\.2 N'"));
+  int numbers = 0;
+  for (const TsMessage& message : messages_of(ts_file("de")))
+    for (const QString& text : message.translations) {
+      static const QRegularExpression holes(QStringLiteral("\\{[^}]*\\}"));
+      numbers += QRegularExpression(QStringLiteral("[0-9],[0-9]")).match(text).hasMatch() ? 1 : 0;
+      if (typed.match(message.source).hasMatch()) continue;
+      EXPECT_FALSE(number.match(QString(text).remove(holes)).hasMatch()) << text.toStdString();
+    }
+  EXPECT_GE(numbers, 4);
+}
+
+/// "Prüfen" is the check of a finger; what is done on the page Inspect has the page's name.
+TEST(Translations, HaveOneWordForInspecting) {
+  int words = 0;
+  for (const TsMessage& message : messages_of(ts_file("de"))) {
+    if (message.context != QLatin1String("alltact::InspectPage")) continue;
+    for (const QString& text : message.translations) {
+      EXPECT_FALSE(text.contains(QStringLiteral("prüfen"), Qt::CaseInsensitive))
+          << text.toStdString();
+      words += text.contains(QStringLiteral("auswerten"), Qt::CaseInsensitive) ? 1 : 0;
+    }
+  }
+  EXPECT_GE(words, 3);
+}
+
 TEST_P(Language, HoldsEveryTextOfTheProgramAndNoOther) {
   const TemporaryFolder folder;
   fs::copy(kTop / "translations" / name(), folder / name());

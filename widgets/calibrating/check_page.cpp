@@ -32,7 +32,7 @@ QString date_text(const std::string& utc) {
   const auto seconds = unix_seconds(utc);
   if (!seconds) return as_text(utc);
   const auto when = QDateTime::fromSecsSinceEpoch(static_cast<qint64>(*seconds));
-  return QLocale().toString(when, QLocale::ShortFormat);
+  return moment_text(when);
 }
 
 /// Result of one check, and the history file before and after it.
@@ -128,10 +128,15 @@ CheckPage::CheckPage(LiveSession& session, PressCollection& collection, const Ca
         tr("Press the calibration ball at three positions, base, middle and tip, and take an image "
            "of each. The calibration does not change."));
     take_->setText(tr("&Take a press (Space)"));
+    take_->setToolTip(tr("Stores the present image as a press of the ball"));
     again_->setText(tr("&Begin again"));
+    again_->setToolTip(tr("Discards the presses of this check"));
     check_->setText(tr("&Check now"));
+    check_->setToolTip(
+        tr("Compares the measured depth with the ball, and adds the result to the history"));
     operator_label_->setText(tr("O&perator"));
     operator_->setAccessibleName(tr("Operator"));
+    operator_->setToolTip(tr("Your name or initials, stored with the check"));
     operator_->setToolTip(
         tr("Stored with the check: it separates operators from repetitions in a gage study."));
     bar_->setAccessibleName(tr("Progress of the check"));

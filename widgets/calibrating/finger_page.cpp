@@ -106,14 +106,22 @@ void FingerPage::name_parts() {
   geometry_group_->setTitle(tr("Geometry"));
   reference_group_->setTitle(tr("Untouched finger"));
   make_->setText(tr("&Make the finger's folder…"));
+  make_->setToolTip(tr("Stores this finger on disk, so that it can be calibrated"));
   open_->setText(tr("&Open a finger…"));
+  open_->setToolTip(tr("Chooses the folder of a finger that exists"));
   record_->setText(tr("&Go to Record"));
+  record_->setToolTip(tr("There the reference of the untouched finger is recorded"));
   reference_image_->setText(tr("Take the &untouched image now"));
+  reference_image_->setToolTip(
+      tr("The present image becomes the reference; nothing may touch the face"));
   reference_file_->setText(tr("Untouched image from a &file…"));
+  reference_file_->setToolTip(tr("A stored image of the untouched face becomes the reference"));
   width_label_->setText(tr("&Width of the face"));
   width_->setAccessibleName(tr("Width of the face"));
+  width_->setToolTip(tr("From edge to edge, by caliper"));
   layer_label_->setText(tr("&Layer thickness"));
   layer_->setAccessibleName(tr("Layer thickness"));
+  layer_->setToolTip(tr("Of the translucent layer; no depth is larger"));
   for (NumberField* size : {width_, layer_}) size->setSuffix(tr(" mm"));
   change_->setText(tr("&Change"));
   change_->setToolTip(tr("A calibrated finger then needs a new calibration."));

@@ -82,6 +82,7 @@ MappingPage::MappingPage(PressCollection& collection, CalibrationRun& run, Press
   connect_chosen();
   say([this] {
     show_press_->setText(tr("S&how this press"));
+    show_press_->setToolTip(tr("Opens the chosen press on the step Presses"));
     compare_->setText(tr("Compare with other &methods"));
     compare_->setToolTip(
         tr("Calibrates with the same presses by the source paper's method and two others, for the "
@@ -138,6 +139,8 @@ void MappingPage::show_chosen() {
     button->setEnabled(press != nullptr && collection_.is_ready() && !run_.is_running());
   }
   leave_out_->setText(collection_.toggle_left_out_text(name));
+  leave_out_->setToolTip(
+      tr("A press that is left out stays stored; the next calibration does not use it"));
   chosen_->setText(name.empty()
                        ? tr("Click a bar or circle to show this press's points and position.")
                    : is_out ? tr("%1 is left out: the next calibration does not use it.")
@@ -171,6 +174,7 @@ void MappingPage::show_status() {
   calibrate_->setEnabled(!is_running && collection_.usable_count() > 0);
   calibrate_->setText(run_.state() == CalibrationState::kNone ? tr("&Calibrate now")
                                                               : tr("&Calibrate again"));
+  calibrate_->setToolTip(tr("Computes the mapping from all presses; undo restores the one before"));
   show_progress();
   std::vector<Problem> problems;
   if (run_.problem() && !is_running) problems.push_back(Problem::of(*run_.problem()));

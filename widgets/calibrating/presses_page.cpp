@@ -246,10 +246,12 @@ std::vector<std::string> PressesPage::selected() const {
 void PressesPage::name_parts() {
   list_->setAccessibleName(tr("Presses"));
   add_->setText(tr("&Add images…"));
+  add_->setToolTip(tr("Adds stored images of presses; they can be dropped here, too"));
   remove_->setText(tr("Re&move"));
   remove_->setToolTip(tr("Removes the press and its image (undo restores them)"));
   list_remove_->setText(tr("Remove"));
   live_button_->setText(tr("&Live image"));
+  live_button_->setToolTip(tr("Shows the camera, for the next press"));
   residual_->setText(tr("&Error under the ball"));
   residual_->setToolTip(
       tr("Shows in colour where the mapping is deeper (red) or shallower (blue) than the ball"));
@@ -257,12 +259,15 @@ void PressesPage::name_parts() {
   press_group_->setTitle(tr("This press"));
   radius_label_->setText(tr("Ball's &radius"));
   radius_->setAccessibleName(tr("Ball's radius"));
+  radius_->setToolTip(tr("Half of the diameter that a caliper or the data sheet gives"));
   radius_->setSuffix(tr(" mm"));
   radius_->setSpecialValueText(tr("unknown"));
   operator_label_->setText(tr("&Operator"));
   operator_->setAccessibleName(tr("Operator"));
+  operator_->setToolTip(tr("Your name or initials, stored with the presses"));
   operator_->setPlaceholderText(tr("for the record"));
   take_->setText(tr("&Take a press (Space)"));
+  take_->setToolTip(tr("Stores the present image as a press of the ball"));
   guide_->setAccessibleName(tr("Next press position"));
   automatic_->setText(tr("Automat&ically when still"));
   automatic_->setToolTip(
@@ -270,6 +275,7 @@ void PressesPage::name_parts() {
   find_->setText(tr("&Find the ball again"));
   find_->setToolTip(tr("Discards the outline position set by hand"));
   more_->setText(tr("Depth, ball or punch"));
+  more_->setToolTip(tr("For a press with another ball, a known depth, or a punch"));
   legend_->setText(
       tr("Yellow: the ball's outline, dashed if found by the program, solid if set by hand. Blue: "
          "where the ball meets the untouched face, roughly the dark disc."));
@@ -668,6 +674,7 @@ void PressesPage::show_shown() {
   press_button_->setChecked(press != nullptr);
   press_button_->setText(press != nullptr ? as_text(press->name) : tr("Chosen &press"));
   press_button_->setEnabled(!collection_.presses().empty());
+  press_button_->setToolTip(tr("Shows the press that is chosen in the list"));
   const bool is_focus_lost =
       press == nullptr && press_group_->isAncestorOf(QApplication::focusWidget());
   views_->setCurrentIndex(press == nullptr ? 0 : 1);

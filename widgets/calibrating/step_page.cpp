@@ -82,7 +82,7 @@ void StepList::apply_style() {
     const Step& step = steps_[i];
     QToolButton* button = buttons_[i];
     button->setEnabled(step.is_open);
-    button->setToolTip(step.is_open ? QString() : step.why_not);
+    button->setToolTip(step.is_open ? tr("Opens this step") : step.why_not);
     button->setAccessibleName(labelled(title(i), state_word(step.state)));
     const bool is_done = step.state == StepState::kDone;
     const bool is_known = is_done || step.state == StepState::kOutdated;

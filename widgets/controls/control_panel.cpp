@@ -202,6 +202,8 @@ ControlPanel::ControlPanel(QWidget* parent)
   connect(lock_, &QCheckBox::clicked, this, &ControlPanel::lock_changed);
   say([this] {
     lock_->setText(tr("&Lock brightness"));
+    lock_->setToolTip(
+        tr("Exposure, gain, white balance and focus stay as they are; depth rests on them"));
     lock_->setAccessibleDescription(
         tr("Automatic modes stay off; unrequested changes are undone."));
     reason_->setText(
@@ -341,19 +343,25 @@ LampPanel::LampPanel(Lamp& lamp, QWidget* parent)
 void LampPanel::name_parts() {
   device_label_->setText(tr("Dimmer"));
   device_->setAccessibleName(tr("The lamp's dimmer"));
+  device_->setToolTip(tr("USB device that dims the lamp; none leaves the lamp alone"));
   look_->setText(tr("Search"));
   look_->setAccessibleName(tr("Search for dimmers"));
+  look_->setToolTip(tr("Lists the dimmers that are plugged in now"));
   control_label_->setText(tr("Output"));
   control_->setAccessibleName(tr("The dimmer's output"));
+  control_->setToolTip(tr("The pin or report that the lamp is connected to"));
   control_->setItemText(0, tr("MCP2221A, pin GP2"));
   control_->setItemText(1, tr("MCP2221A, pin GP3"));
   control_->setItemText(2, tr("Custom report"));
   report_->setAccessibleName(tr("Report that sets the brightness"));
+  report_->setToolTip(tr("Number, bytes and range of the HID report that sets the brightness"));
   report_->setPlaceholderText(QStringLiteral("output id=0 bytes=8 at=1 range=0..255"));
   level_label_->setText(tr("Brightness"));
   level_->setSuffix(tr(" %"));
   level_->setAccessibleName(tr("The lamp's brightness"));
+  level_->setToolTip(tr("In per cent; every recorded image stores it"));
   slider_->setAccessibleName(tr("The lamp's brightness"));
+  slider_->setToolTip(tr("In per cent; every recorded image stores it"));
   show_devices();
   show_lamp();
 }

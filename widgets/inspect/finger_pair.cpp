@@ -176,6 +176,7 @@ PairBox::PairBox(const FingerPair& pair, QWidget* parent)
     setTitle(tr("Second finger"));
     open_->setText(tr("Second fin&ger…"));
     close_->setText(tr("Close"));
+    close_->setToolTip(tr("Shows the first finger alone again"));
     pose_first_->setText(tr("Pose of 1…"));
     pose_second_->setText(tr("Pose of 2…"));
     pose_first_->setAccessibleName(tr("Pose of the first finger in the gripper"));
@@ -190,7 +191,7 @@ PairBox::PairBox(const FingerPair& pair, QWidget* parent)
 void PairBox::show_pair(bool is_recording) {
   const bool is_open = pair_.is_open();
   open_->setEnabled(is_recording);
-  open_->setToolTip(is_recording ? QString()
+  open_->setToolTip(is_recording ? tr("Shows another finger of the same moment next to this one")
                                  : tr("Open a recording first; then you can add a second one."));
   setVisible(is_open);
   if (!is_open) return;
@@ -304,11 +305,18 @@ SecondFingerDialog::SecondFingerDialog(const std::optional<SecondFinger>& now, Q
     finger_->setAccessibleName(tr("Finger's folder"));
     recording_->setAccessibleName(tr("Recording"));
     choose_finger_->setText(tr("Choose…"));
+    choose_finger_->setToolTip(tr("Chooses the folder of the second finger"));
     choose_finger_->setAccessibleName(tr("Choose the finger's folder"));
     choose_video_->setText(tr("Video…"));
+    choose_video_->setToolTip(tr("A video that was recorded at the same time"));
     choose_folder_->setText(tr("Images…"));
+    choose_folder_->setToolTip(tr("A folder of images that were recorded at the same time"));
     buttons_->button(QDialogButtonBox::Ok)->setText(tr("&Show it"));
+    buttons_->button(QDialogButtonBox::Ok)
+        ->setToolTip(tr("Opens the second finger next to the first"));
     buttons_->button(QDialogButtonBox::Cancel)->setText(tr("Cancel"));
+    buttons_->button(QDialogButtonBox::Cancel)
+        ->setToolTip(tr("Closes this window without a change (Esc)"));
     show_missing();
   });
 }
@@ -406,12 +414,18 @@ GripperDialog::GripperDialog(const QString& finger, const std::optional<RigidTra
       at_[i]->setPrefix(axes[i]);
       at_[i]->setSuffix(tr(" mm"));
       at_[i]->setAccessibleName(position_names[i]);
+      at_[i]->setToolTip(tr("Of the camera, in the gripper's frame"));
+      turn_[i]->setToolTip(tr("Of the camera, about the gripper's axis; x first, then y, then z"));
       turn_[i]->setPrefix(axes[i]);
       turn_[i]->setSuffix(QStringLiteral("°"));
       turn_[i]->setAccessibleName(turns[i]);
     }
     buttons_->button(QDialogButtonBox::Ok)->setText(tr("&Set"));
+    buttons_->button(QDialogButtonBox::Ok)
+        ->setToolTip(tr("Both fingers are shown in the gripper's frame"));
     buttons_->button(QDialogButtonBox::Cancel)->setText(tr("Cancel"));
+    buttons_->button(QDialogButtonBox::Cancel)
+        ->setToolTip(tr("Closes this window without a change (Esc)"));
     forget_->setText(tr("&Not known"));
     forget_->setToolTip(tr("Removes the pose from the finger's file."));
   });

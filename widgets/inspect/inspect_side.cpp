@@ -12,6 +12,7 @@
 #include <QStandardItemModel>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <array>
 
 namespace alltact {
 
@@ -191,17 +192,27 @@ ViewBox::ViewBox(QWidget* parent)
       row.label->setText(row.text());
       row.widget->setAccessibleName(row.text().remove(QLatin1Char('&')));
     }
-    for (const Part& part : parts_) part.box->setText(part.text());
+    const std::array tips{tr("Side faces, back and base of the finger, in 3D"),
+                          tr("Millimetres along the face, and a stick of a known height, in 3D"),
+                          tr("The camera with its axes, from which coordinates count, in 3D"),
+                          tr("Thin lines where the face lies without contact, in 3D")};
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+      parts_[i].box->setText(parts_[i].text());
+      parts_[i].box->setToolTip(tips.at(i));
+    }
     shown_as_->setItemText(0, tr("in 3D"));
     shown_as_->setItemText(1, tr("as a height map"));
     shown_as_->setToolTip(VtkView::is_supported()
-                              ? QString()
+                              ? tr("The face in 3D, or its depth over the image")
                               : tr("3D needs OpenGL 3.2, which this screen does not support."));
     standpoint_->setItemText(0, tr("inside, tilted"));
+    standpoint_->setToolTip(tr("Where the eye is; drag in the view to turn it"));
     standpoint_->setItemText(1, tr("the camera"));
     standpoint_->setItemText(2, tr("outside, tilted"));
     standpoint_->setItemText(3, tr("the side"));
     comparison_->setItemText(0, tr("no comparison"));
+    comparison_->setToolTip(
+        tr("Shows another measurement next to this one, or the difference of both"));
     comparison_->setItemText(1, tr("side by side"));
     comparison_->setItemText(2, tr("difference"));
     with_->setItemText(0, tr("the source paper"));
@@ -218,9 +229,14 @@ ViewBox::ViewBox(QWidget* parent)
     for (NumberField* box : {top_, difference_top_}) box->setSuffix(tr(" mm"));
     difference_top_->setPrefix(QStringLiteral("± "));
     top_->setAccessibleName(tr("Depth at which the colours end"));
+    top_->setToolTip(tr("Deeper contacts have the colour of the end of the scale"));
     difference_top_->setAccessibleName(tr("Difference at both ends of the colour scale"));
+    difference_top_->setToolTip(tr("Larger differences have the colours of the ends of the scale"));
     times_->setSuffix(tr(" times"));
     times_->setAccessibleName(tr("Factor by which depth is drawn larger"));
+    frame_->setToolTip(tr("Number of the frame to compare with, from 1"));
+    setting_->setToolTip(tr("The same frame, measured with this setting"));
+    times_->setToolTip(tr("Draws depth larger in 3D; measured values do not change"));
     fill_settings();
   });
   set_options(options_);

@@ -109,9 +109,13 @@ void RecipeBox::name_parts() {
   list_->setHeaderLabels({tr("Reading"), tr("Value"), tr("Decision")});
   list_->setAccessibleName(tr("Readings of the recipe"));
   change_->setText(tr("Name, tolerance…"));
+  change_->setToolTip(tr("Name and limits of the selected reading"));
   remove_->setText(tr("Remove"));
+  remove_->setToolTip(tr("Takes the selected reading out of the recipe"));
   open_->setText(tr("Open recipe…"));
+  open_->setToolTip(tr("Replaces the readings by those of a file"));
   save_->setText(tr("Save recipe…"));
+  save_->setToolTip(tr("Writes the readings to a file, for other recordings and fingers"));
   run_->setText(tr("Inspect all frames…"));
   run_->setToolTip(tr("Measures the recipe in every frame of the recording"));
   fill();
@@ -283,9 +287,16 @@ ReadingDialog::ReadingDialog(RecipeReading reading, InspectionRecipe recipe, QWi
     name_label_->setText(tr("&Name"));
     lower_label_->setText(tr("&Lower limit"));
     upper_label_->setText(tr("&Upper limit"));
-    for (NumberField* field : {lower_, upper_}) field->setSpecialValueText(tr("none"));
+    name_->setToolTip(tr("Name of the value in tables and reports"));
+    for (NumberField* field : {lower_, upper_}) {
+      field->setSpecialValueText(tr("none"));
+      field->setToolTip(tr("A value beyond it fails; near it, the standard deviation decides"));
+    }
     buttons_->button(QDialogButtonBox::Ok)->setText(tr("OK"));
+    buttons_->button(QDialogButtonBox::Ok)->setToolTip(tr("Takes this name and these limits"));
     buttons_->button(QDialogButtonBox::Cancel)->setText(tr("Cancel"));
+    buttons_->button(QDialogButtonBox::Cancel)
+        ->setToolTip(tr("Closes this window without a change (Esc)"));
   });
 }
 

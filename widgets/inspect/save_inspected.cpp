@@ -323,8 +323,11 @@ SaveBar::SaveBar(QWidget* parent)
     for (std::size_t i = 0; i < kinds.size(); ++i)
       kind_->setItemText(static_cast<int>(i), kinds[i]);
     kind_->setAccessibleName(tr("Content to save"));
+    kind_->setToolTip(tr("What is saved, and in which format"));
     save_->setText(tr("&Save…"));
+    save_->setToolTip(tr("Asks for the file to write"));
     stop_->setText(tr("Stop"));
+    stop_->setToolTip(tr("Ends saving; a video has what was saved so far"));
     progress_->setAccessibleName(tr("Progress of saving"));
   });
   show_progress(std::nullopt);

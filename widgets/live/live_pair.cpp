@@ -287,7 +287,9 @@ LivePairBox::LivePairBox(const LivePair& pair, const LiveSession& first, QWidget
 void LivePairBox::name_parts() {
   setTitle(tr("Second finger"));
   open_->setText(tr("&Second finger…"));
+  open_->setToolTip(tr("Shows another finger with its own camera at the same moment"));
   close_->setText(tr("Close"));
+  close_->setToolTip(tr("Shows the first finger alone again"));
   motor_label_->setText(tr("Mo&tor at"));
   motor_->setSuffix(tr(" turns"));
   motor_->setAccessibleName(tr("Motor position in turns"));
@@ -455,16 +457,22 @@ void SecondCameraDialog::name_parts() {
   gripper_label_->setText(tr("&Gripper"));
   finger_->setAccessibleName(tr("Finger's folder"));
   source_->setAccessibleName(tr("Camera, video or scene"));
+  source_->setToolTip(tr("Source of the second finger's images"));
   gripper_->setAccessibleName(tr("Gripper's file"));
   gripper_->setPlaceholderText(tr("gripper.yaml; may be left empty"));
   choose_finger_->setText(tr("Choose…"));
+  choose_finger_->setToolTip(tr("Chooses the folder of the second finger"));
   choose_source_->setText(tr("File…"));
+  choose_source_->setToolTip(tr("Chooses a video or a scene instead of a camera"));
   choose_gripper_->setText(tr("Choose…"));
+  choose_gripper_->setToolTip(tr("Chooses the file that describes the gripper"));
   choose_finger_->setAccessibleName(tr("Choose the finger's folder"));
   choose_source_->setAccessibleName(tr("Choose a video or a scene"));
   choose_gripper_->setAccessibleName(tr("Choose the gripper's file"));
   show_->setText(tr("&Show it"));
+  show_->setToolTip(tr("Opens the second finger next to the first"));
   cancel_->setText(tr("Cancel"));
+  cancel_->setToolTip(tr("Closes this window without a change (Esc)"));
   show_missing();
 }
 

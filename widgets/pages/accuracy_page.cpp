@@ -196,22 +196,27 @@ void AccuracyPage::name_parts() {
       tr("Set the required speed and error. The program measures once, on images of this finger, "
          "what each setting costs in time and gains in accuracy. Then it shows one answer here."));
   measure_->setText(tr("&Measure settings on this finger (about 12 s)"));
+  measure_->setToolTip(tr("Computes error and time of many settings from the presses"));
   rate_label_->setText(tr("Images per &second"));
   rate_->setAccessibleName(tr("Images per second"));
+  rate_->setToolTip(tr("Only settings that keep up with it are offered"));
   error_label_->setText(tr("Maximum er&ror"));
   error_->setAccessibleName(tr("Maximum error"));
   error_->setToolTip(tr("95 % of all points have a smaller depth error."));
   error_->setSuffix(tr(" mm"));
   error_->setSpecialValueText(tr("smallest possible"));
   as_calibrated_->setText(tr("Restore as cali&brated"));
+  as_calibrated_->setToolTip(tr("Measures with the setting of the calibration again"));
   tabs_->setTabText(0, tr("Figure"));
   tabs_->setTabText(1, tr("Table"));
   tabs_->setTabText(2, tr("Live, side by side"));
   tabs_->tabBar()->setAccessibleName(tr("Figure, table or the live image with two settings"));
   copy_->setText(tr("Copy &command"));
+  copy_->setToolTip(tr("Copies the command that does the same in a terminal"));
   command_->setAccessibleName(tr("The same as a command line"));
   bar_->setAccessibleName(tr("Progress of measuring"));
   stop_->setText(tr("Sto&p"));
+  stop_->setToolTip(tr("Ends measuring; the settings so far are shown"));
   stop_->setToolTip(tr("Results so far are saved; measuring continues from there next time."));
   shown_.reset();
   show_run();
@@ -243,7 +248,8 @@ void AccuracyPage::update_question() {
       : is_rate(*typed)
           ? QString()
           : window_sentence(en::say("must be an integer from {} to {}", kMinRate, kMaxRate));
-  rate_->setToolTip(refused);
+  rate_->setToolTip(refused.isEmpty() ? tr("Only settings that keep up with it are offered")
+                                      : refused);
   rate_->setAccessibleDescription(refused);
   if (!refused.isEmpty() && rate_->isVisible())
     QToolTip::showText(rate_->mapToGlobal(QPoint(0, rate_->height())), refused, rate_);
@@ -520,6 +526,7 @@ void AccuracyPage::show_progress() {
   left_->setText(left ? tr("about %n second(s) left", nullptr, static_cast<int>(std::ceil(*left)))
                       : tr("measuring the settings…"));
   more_->setEnabled(!is_running && study_obstacle().isEmpty());
+  more_->setToolTip(tr("Computes error and time of further settings from the presses"));
 }
 
 void AccuracyPage::show_points() {
@@ -591,6 +598,8 @@ void AccuracyPage::show_answer() {
   const bool is_used = row && in_use == row;
   use_->setText(is_used ? tr("In use") : tr("&Use it"));
   use_->setEnabled(row && !is_used);
+  use_->setToolTip(
+      tr("This finger is measured with the chosen setting from now on; undo takes it back"));
   as_calibrated_->setVisible(shown_ && in_use != std::size_t{0});
   if (shown_) {
     const bool is_good = shown_->is_of_finger_now && shown_->is_of_this_computer;

@@ -192,6 +192,7 @@ void CalibratePage::show_steps() {
   const QString missing = pages_[step_]->missing();
   missing_->setText(missing);
   next_->setVisible(!is_last);
+  next_->setToolTip(tr("Opens the next step"));
   next_->setEnabled(missing.isEmpty());
   if (!is_last) next_->setText(tr("&Next: %1").arg(pages_[step_ + 1]->title()));
   const bool has_presses = run_.state() == CalibrationState::kCurrent

@@ -218,15 +218,22 @@ void RecordPage::name_parts() {
   file_label_->setText(tr("Fi&le"));
   file_->setAccessibleName(tr("Recording file"));
   browse_->setText(tr("&Choose…"));
+  browse_->setToolTip(tr("Chooses the file to record to"));
   install_->setText(tr("&Install as this finger's reference"));
+  install_->setToolTip(
+      tr("Depth is measured against it from now on; undo restores the one before"));
   keep_->setText(tr("&Keep for later"));
   keep_->setToolTip(tr("The video stays where it is, and the finger stays as it is."));
   again_->setText(tr("Record a&gain"));
   inspect_->setText(tr("Inspect t&his recording"));
+  inspect_->setToolTip(tr("Opens it on the page Inspect"));
   onward_->setText(tr("&Go to Calibrate"));
+  onward_->setToolTip(tr("There presses of a ball give the depth"));
   again_->setToolTip(tr("Moves this video to the trash and records a new one."));
   video_->setText(tr("Install an e&xisting video…"));
+  video_->setToolTip(tr("Examines a stored recording as if it had just been made"));
   stop_install_->setText(tr("&Stop"));
+  stop_install_->setToolTip(tr("The finger keeps its present reference"));
   stop_install_->setAccessibleDescription(tr("Stops the installation; nothing is changed."));
   bar_->setAccessibleName(tr("Progress of the installation"));
   rejected_->setAccessibleName(tr("Frames that were left out, with the reason"));

@@ -55,6 +55,7 @@ RigCheckBox::RigCheckBox(QWidget* parent)
   connect(fold_, &QToolButton::toggled, this, &RigCheckBox::show_fold);
   say([this] {
     rows_->setAccessibleName(tr("Before the first recording"));
+    fold_->setToolTip(tr("What is checked before the first recording; a click shows or hides it"));
     show_findings(findings_, controls_);
   });
 }
@@ -228,7 +229,7 @@ void CoverageView::paint_field(QPainter& painter, const QRectF& field) const {
   painter.fillRect(field, palette().color(QPalette::Base));
   constexpr int n = BendState::kCells;
   const double step = field.width() / n;
-  const QColor visited = series_colour(0, palette());
+  const QColor visited = role_colour(ColourRole::kMeasured, palette());
   for (int row = 0; row < n; ++row)
     for (int column = 0; column < n; ++column) {
       const auto visits =
@@ -267,7 +268,7 @@ void CoverageView::paint_twist(QPainter& painter, const QRectF& bar) const {
   const double left = std::max(0.0, reached(BendDirection::kTwistLeft)) * half;
   const double right = std::max(0.0, reached(BendDirection::kTwistRight)) * half;
   painter.fillRect(QRectF(bar.center().x() - left, bar.top(), left + right, bar.height()),
-                   series_colour(0, palette()));
+                   role_colour(ColourRole::kMeasured, palette()));
   const QColor line = palette().color(QPalette::Disabled, QPalette::Text);
   painter.setBrush(Qt::NoBrush);
   painter.setPen(QPen(line, 1));

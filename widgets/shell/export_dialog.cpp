@@ -88,13 +88,18 @@ ExportDialog::ExportDialog(const fs::path& finger, QWidget* parent)
     folder_label_->setText(tr("&Folder for the files"));
     folder_->setAccessibleName(tr("Folder for the files"));
     choose_->setText(tr("Choose…"));
+    choose_->setToolTip(tr("Chooses the folder to write to"));
     choose_->setAccessibleName(tr("Choose the folder"));
     command_->setAccessibleName(tr("The same as a command line"));
     copy_->setText(tr("Copy as command &line"));
+    copy_->setToolTip(tr("Copies the command that does the same in a terminal"));
     progress_->setAccessibleName(tr("Progress of the export"));
     stop_->setText(tr("&Stop"));
+    stop_->setToolTip(tr("Ends the export; no unfinished file is left"));
     write_->setText(tr("&Export"));
+    write_->setToolTip(tr("Writes the ticked files"));
     buttons_->button(QDialogButtonBox::Close)->setText(tr("&Close"));
+    buttons_->button(QDialogButtonBox::Close)->setToolTip(tr("Closes this window (Esc)"));
   });
   show_command();
   show_running(false);
@@ -187,6 +192,7 @@ void ExportDialog::name_forms() {
         break;
     }
     form.check_box->setText(name);
+    form.check_box->setToolTip(what_for);
     form.check_box->setAccessibleDescription(what_for);
     form.what_for->setText(what_for);
   }

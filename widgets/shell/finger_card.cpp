@@ -117,7 +117,7 @@ Headline headline_of(const FingerCard& card) {
 
 QString local_day(const std::string& utc) {
   const QDateTime time = local_time(utc);
-  return time.isValid() ? QLocale().toString(time.date(), QLocale::ShortFormat) : QString();
+  return time.isValid() ? day_text(time.date()) : QString();
 }
 
 QString age_in_days(const std::string& utc, const std::string& now) {
@@ -456,10 +456,13 @@ FingerListDialog::FingerListDialog(std::vector<fs::path> known, QWidget* parent)
     list_->setHeaderLabels({tr("Finger"), tr("Quality"), tr("Error, mm"), tr("Calibrated"),
                             tr("Checked"), tr("Due"), tr("Folder")});
     open_->setText(tr("&Open"));
+    open_->setToolTip(tr("Opens the selected finger (Enter)"));
     folder_->setText(tr("&Look in another folder…"));
+    folder_->setToolTip(tr("Adds the fingers of another folder to the list"));
     gage_->setText(tr("&Gage R&&R…"));
     gage_->setToolTip(tr("Compares the checks of the selected fingers by their operators"));
     buttons_->button(QDialogButtonBox::Close)->setText(tr("&Close"));
+    buttons_->button(QDialogButtonBox::Close)->setToolTip(tr("Closes this window (Esc)"));
     fill();
   });
   read();

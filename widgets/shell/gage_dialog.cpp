@@ -101,7 +101,9 @@ void GageDialog::name_parts() {
   table_->setText(tr("&From a table…"));
   table_->setToolTip(tr("With the columns part, operator and value_mm"));
   copy_->setText(tr("C&opy"));
+  copy_->setToolTip(tr("Copies both tables for a spreadsheet"));
   buttons_->button(QDialogButtonBox::Close)->setText(tr("&Close"));
+  buttons_->button(QDialogButtonBox::Close)->setToolTip(tr("Closes this window (Esc)"));
   show_study();
 }
 

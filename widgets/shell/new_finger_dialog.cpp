@@ -134,7 +134,7 @@ NewFingerDialog::NewFingerDialog(QWidget* parent)
       auto* label = qobject_cast<QLabel*>(form_->labelForField(field));
       label->setText(text);
       label->setBuddy(focus);
-      focus->setAccessibleName(QString(text).remove(QLatin1Char('&')));
+      focus->setAccessibleName(without_mnemonic(text));
     };
     name(folder_row_, folder_, tr("New &folder"));
     name(camera_row_, camera_, tr("&Camera file"));
@@ -148,21 +148,34 @@ NewFingerDialog::NewFingerDialog(QWidget* parent)
     name(polarity_, polarity_, tr("Dots &are"));
     kind_->setItemText(0, tr("Fin Ray finger: its shape is read from the face's edges"));
     kind_->setItemText(1, tr("Flat, rigid sensor"));
+    kind_->setToolTip(tr("Whether the face bends"));
     polarity_->setItemText(0, tr("detected in the reference recording"));
     polarity_->setItemText(1, tr("brighter than surroundings"));
     polarity_->setItemText(2, tr("darker than surroundings"));
+    polarity_->setToolTip(tr("How the dots differ from the skin around them"));
     for (NumberField* field : {width_, layer_, plane_}) field->setSuffix(tr(" mm"));
     pixel_->setSuffix(tr(" mm"));
     pixel_->setSpecialValueText(tr("from the camera file"));
+    per_row_->setToolTip(tr("Counted on one side of the face; 0 for none"));
+    plane_->setToolTip(tr("From the lens to the face"));
+    layer_->setToolTip(tr("Of the translucent layer; no depth is larger"));
+    width_->setToolTip(tr("From edge to edge, by caliper"));
     pixel_->setToolTip(tr("On the face, for a camera that looks straight at it"));
     choose_image_->setText(tr("Choose…"));
+    choose_image_->setToolTip(tr("An image of the face without contact"));
     choose_image_->setAccessibleName(tr("Choose the untouched image"));
     choose_folder_->setText(tr("Choose…"));
+    choose_folder_->setToolTip(tr("Chooses where the finger's folder is made"));
     choose_camera_->setText(tr("Choose…"));
+    choose_camera_->setToolTip(tr("The file that the lens calibration wrote"));
     choose_folder_->setAccessibleName(tr("Choose the folder"));
     choose_camera_->setAccessibleName(tr("Choose the camera file"));
     buttons_->button(QDialogButtonBox::Ok)->setText(tr("&Make the finger"));
+    buttons_->button(QDialogButtonBox::Ok)
+        ->setToolTip(tr("Writes the folder and opens the finger"));
     buttons_->button(QDialogButtonBox::Cancel)->setText(tr("Cancel"));
+    buttons_->button(QDialogButtonBox::Cancel)
+        ->setToolTip(tr("Closes this window without a change (Esc)"));
   });
   show_kind();
   known_ = entries();

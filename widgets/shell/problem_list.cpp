@@ -185,6 +185,7 @@ void ProblemList::add_buttons(const ListedProblem& listed, bool is_first, QHBoxL
   layout.addWidget(age, 0, Qt::AlignVCenter);
   if (!listed.problem.action.isEmpty()) {
     auto* button = new QPushButton(listed.problem.action);
+    button->setToolTip(tr("Does what the message advises"));
     connect(button, &QPushButton::clicked, this, listed.problem.on_action);
     layout.addWidget(button, 0, Qt::AlignVCenter);
   }

@@ -52,7 +52,9 @@ SettingsDialog::SettingsDialog(const Appearance& now, Pedal* pedal, QWidget* par
     theme_label_->setText(tr("&Appearance"));
     language_label_->setText(tr("&Language"));
     theme_->setAccessibleName(tr("Appearance"));
+    theme_->setToolTip(tr("Colours of all windows"));
     language_->setAccessibleName(tr("Language"));
+    language_->setToolTip(tr("Language of all texts, and the form of numbers and dates"));
     theme_->setItemText(0, tr("Follow system"));
     theme_->setItemText(1, tr("Light"));
     theme_->setItemText(2, tr("Dark"));
@@ -61,8 +63,10 @@ SettingsDialog::SettingsDialog(const Appearance& now, Pedal* pedal, QWidget* par
     pedal_label_->setText(tr("&Foot pedal"));
     forget_->setText(tr("&None"));
     forget_->setToolTip(tr("Stops using the pedal."));
+    learn_->setToolTip(tr("Press the pedal or button after this click"));
     show_pedal();
     buttons_->button(QDialogButtonBox::Close)->setText(tr("&Close"));
+    buttons_->button(QDialogButtonBox::Close)->setToolTip(tr("Closes this window (Esc)"));
   });
 }
 
