@@ -1,5 +1,6 @@
 // Files dropped on the window, and many presses changed at a time.
 #include "app/studio/main_window.h"
+#include "app/studio/workspace.h"
 #include "tests/studio/calibrate_rig.h"
 #include "widgets/pages/inspect_page.h"
 
@@ -91,6 +92,31 @@ TEST(PressList, RemovesAndLeavesOutWhatIsSelected) {
   EXPECT_EQ(rig.collection().usable_count(), 2);
   QTest::keyClick(&rig.studio().window(), Qt::Key_Z, Qt::ControlModifier);
   EXPECT_EQ(rig.collection().usable_count(), 4);
+}
+
+/// A folder that is only called what it holds is named with the one above; nothing says "finger
+/// finger".
+TEST(FingerNames, AreNoWordTwice) {
+  EXPECT_EQ(short_name("/lab/left-01").toStdString(), "left-01");
+  EXPECT_EQ(short_name("/lab/left-01/finger").toStdString(), "left-01/finger");
+  EXPECT_EQ(short_name("/lab/left-01/").toStdString(), "left-01");
+  StudioOptions options;
+  const TemporaryFolder lab;
+  options.finger = lab / "gripper" / "finger";
+  std::filesystem::create_directories(lab / "gripper");
+  std::filesystem::copy(MadeFingers::get().calibrated(), options.finger,
+                        std::filesystem::copy_options::recursive);
+  Studio studio(options);
+  ASSERT_TRUE(wait_until([&] { return studio.session().status().finger.finger.has_value(); }));
+  QTest::qWait(200);
+  int texts = 0;
+  for (const QWidget* widget : studio.window().findChildren<QWidget*>())
+    for (const QString& text : {widget->property("text").toString(), widget->accessibleName()}) {
+      texts += text.contains(QLatin1String("finger"), Qt::CaseInsensitive) ? 1 : 0;
+      EXPECT_FALSE(text.contains(QLatin1String("finger finger"), Qt::CaseInsensitive))
+          << text.toStdString();
+    }
+  EXPECT_GT(texts, 5);
 }
 
 }  // namespace

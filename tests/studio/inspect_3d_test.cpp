@@ -5,8 +5,12 @@
 #include "widgets/inspect/inspected_frame.h"
 #include "widgets/inspect/point_readings.h"
 
+#include <QClipboard>
 #include <QComboBox>
+#include <QContextMenuEvent>
 #include <QLabel>
+#include <QMenu>
+#include <set>
 
 #include <gtest/gtest.h>
 
@@ -64,6 +68,22 @@ TEST_F(InspectIn3DView, TellsUnderThePointerTheDepthThatIsExported) {
         << label->text().toStdString() << " instead of " << depth;
   }
   EXPECT_GT(told, 8);
+}
+
+/// As it is seen, with its colour bar; the right button sets point B and opens no menu.
+TEST_F(InspectIn3DView, IsCopied) {
+  ASSERT_TRUE(open(MadeFingers::get().touched_pictures()));
+  QGuiApplication::clipboard()->clear();
+  QTest::keyClick(&view(), Qt::Key_C, Qt::ControlModifier);
+  const QImage copied = QGuiApplication::clipboard()->image();
+  EXPECT_EQ(copied.size(), view().size() * view().devicePixelRatioF());
+  std::set<QRgb> colours;
+  for (int y = 0; y < copied.height(); y += 4)
+    for (int x = 0; x < copied.width(); x += 4) colours.insert(copied.pixel(x, y));
+  EXPECT_GT(colours.size(), 50U);
+  QContextMenuEvent event(QContextMenuEvent::Mouse, {5, 5}, view().mapToGlobal(QPoint(5, 5)));
+  QApplication::sendEvent(&view(), &event);
+  EXPECT_EQ(view().findChild<QMenu*>(), nullptr);
 }
 
 TEST_F(InspectIn3DView, TheFirst3DViewDoesNotMakeTheWindowAnew) {
