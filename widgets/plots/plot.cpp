@@ -15,6 +15,8 @@ namespace {
 
 /// Plot width and height taken by the ticks and titles of the other axes, px.
 constexpr int kMarginAcross = 90, kMarginUp = 60;
+/// A title that left the axes less height is not shown.
+constexpr int kLeastAxes = 90, kBetweenLines = 8;
 constexpr int kLegendIcon = 48;  // with the space around it
 
 /// Wraps at spaces so that no line is longer than `room` px, as far as words allow.
@@ -122,7 +124,7 @@ void Plot::draw_now(const QSize& size, bool is_titled) {
   apply_style();
   titles_.clear();
   const bool is_drawn = draw();
-  set_title(is_drawn && is_titled && shows_title() ? title() : QString());
+  title_text_ = is_drawn && is_titled && shows_title() ? title() : QString();
   if (!is_drawn) {
     for (QCPAxis* axis : {chart_->xAxis, chart_->yAxis, chart_->xAxis2, chart_->yAxis2})
       axis->setVisible(false);
@@ -233,7 +235,19 @@ void Plot::fit_text(const QSize& size) {
                           is_across ? size.width() - kMarginAcross : size.height() - kMarginUp));
   }
   QCPLegend* legend = chart_->legend;
-  if (!legend->visible() || legend->itemCount() == 0) return;
+  int lines = 1;  // above the axes: the title, and those of the legend
+  if (legend->visible() && legend->itemCount() > 0) {
+    wrap_legend(size);
+    lines += (legend->itemCount() + legend->wrap() - 1) / legend->wrap();
+  }
+  const bool has_room =
+      size.height() - kMarginUp - lines * (metrics.height() + kBetweenLines) >= kLeastAxes;
+  set_title(has_room ? title_text_ : QString());
+}
+
+void Plot::wrap_legend(const QSize& size) {
+  const QFontMetrics metrics(font());
+  QCPLegend* legend = chart_->legend;
   int widest = 0;
   for (int i = 0; i < legend->itemCount(); ++i)
     if (auto* item = qobject_cast<QCPPlottableLegendItem*>(legend->item(i)))

@@ -13,8 +13,8 @@ class QCustomPlot;
 namespace alltact {
 
 /// A self-contained plot: it takes plain values, reads no files, follows the palette and the font
-/// of its widget, and can be drawn without being shown. Shown or copied it has its title above; an
-/// image or a file has none, for documents write their own.
+/// of its widget, and can be drawn without being shown. Shown or copied it has its title above,
+/// where there is room; an image or a file has none, for documents write their own.
 class Plot : public QWidget {
   Q_OBJECT
  public:
@@ -62,10 +62,12 @@ class Plot : public QWidget {
   [[nodiscard]] QImage figure();
   void apply_style();
   void style_axis(QCPAxis* axis) const;
-  /// Wraps the titles of axes and the legend to the size.
+  /// Wraps the titles of axes and the legend to the size; drops the title where it is too low.
   void fit_text(const QSize& size);
+  void wrap_legend(const QSize& size);
   QCustomPlot* chart_;
   QCPTextElement* title_;
+  QString title_text_;                                ///< empty: none
   std::vector<std::pair<QCPAxis*, QString>> titles_;  ///< of axes, each in one line
   bool is_stale_ = true;
 };

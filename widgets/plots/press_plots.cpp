@@ -159,7 +159,7 @@ QString PressErrorPlot::title() const { return tr("Error of every press, worst f
 
 QString PressErrorPlot::empty_text() const { return tr("No presses yet"); }
 
-int PressErrorPlot::comfortable_height() const { return 150 + 30 * std::max(2, shown()); }
+int PressErrorPlot::comfortable_height() const { return 160 + 30 * std::max(2, shown()); }
 
 bool PressErrorPlot::draw() {
   if (errors_.empty()) return false;

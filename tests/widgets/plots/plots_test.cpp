@@ -221,6 +221,14 @@ TEST(Plots, HaveTheirTitleWhereTheyAreShown) {
     EXPECT_FALSE(title()->text().isEmpty());
     EXPECT_EQ(title()->text(), plot->accessibleName());
     EXPECT_LE(title()->outerRect().bottom(), chart->axisRect()->rect().top());
+    plot->resize(500, 170);
+    QTest::qWait(60);
+    if (chart->legend->visible()) {
+      EXPECT_EQ(title(), nullptr) << "the axes need the room";
+    }
+    plot->resize(500, 360);
+    QTest::qWait(60);
+    ASSERT_NE(title(), nullptr);
     const int top = chart->axisRect()->rect().top();
     const QImage image = plot->image({500, 360});
     EXPECT_NE(title(), nullptr) << "it is shown as before";
