@@ -209,7 +209,7 @@ constexpr double kStrongest = 0.85;
 constexpr int kStripe_px = 6;
 
 using Pixel = cv::Vec4b;                              // blue, green, red, alpha
-using DepthColours = std::array<std::uint32_t, 256>;  // the same, as one number
+using DepthColours = std::array<std::uint32_t, 258>;  // the same, as one number
 
 Pixel premultiplied(MapColour colour, double alpha) {
   const auto times = [&](std::uint8_t channel) {
@@ -218,17 +218,20 @@ Pixel premultiplied(MapColour colour, double alpha) {
   return {times(colour.blue), times(colour.green), times(colour.red), times(255)};
 }
 
-/// From -kBulgeFraction to 1 of the top in even steps; zero is step kZeroStep.
-constexpr float kZeroStep = static_cast<float>(255 * kBulgeFraction / (1 + kBulgeFraction));
+/// From -kBulgeFraction to 1 of the top in even steps, between the colours beyond the scale; zero
+/// is step kZeroStep.
+constexpr float kZeroStep = static_cast<float>(1 + 255 * kBulgeFraction / (1 + kBulgeFraction));
 
 DepthColours depth_colours(double top_mm) {
   DepthColours table;
   for (std::size_t i = 0; i < table.size(); ++i) {
-    const double part = (1 + kBulgeFraction) * static_cast<double>(i) / 255 - kBulgeFraction;
+    const double part = (1 + kBulgeFraction) * (static_cast<double>(i) - 1) / 255 - kBulgeFraction;
     const double strength =
         std::clamp((std::abs(part * top_mm) - kFaint_mm) / (kFull_mm - kFaint_mm), 0.0, 1.0);
-    table[i] =
-        std::bit_cast<std::uint32_t>(premultiplied(depth_colour(part), kStrongest * strength).val);
+    const MapColour colour = i == 0                  ? kBelowScale
+                             : i + 1 == table.size() ? kAboveScale
+                                                     : depth_colour(part);
+    table[i] = std::bit_cast<std::uint32_t>(premultiplied(colour, kStrongest * strength).val);
   }
   return table;
 }
@@ -246,7 +249,7 @@ void colour_part(const float* depth_mm, float steps_per_mm, int count, const Dep
   for (int u = 0; u < count; ++u) {
     const float at = depth_mm[u] * steps_per_mm + kZeroStep;
     pixels[u] =
-        std::isfinite(at) ? colours[static_cast<std::size_t>(std::clamp(at, 0.0F, 255.0F))] : 0;
+        std::isfinite(at) ? colours[static_cast<std::size_t>(std::clamp(at, 0.0F, 257.0F))] : 0;
   }
 }
 

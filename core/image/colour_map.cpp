@@ -83,6 +83,23 @@ int ColourScale::label_decimals(int labels) const {
   return kMax;
 }
 
+MapColour ColourScale::colour_at(double mm) const {
+  constexpr double kHalfStep = 0.5 / 255;
+  const double part = (mm - low_mm) / (top_mm - low_mm);
+  if (part < -kHalfStep) return kBelowScale;
+  if (part > 1 + kHalfStep) return kAboveScale;
+  return colour(std::clamp(part, 0.0, 1.0));
+}
+
+ColourTable::ColourTable(const ColourScale& scale)
+    : low_mm_(static_cast<float>(scale.low_mm)),
+      per_mm_(static_cast<float>((kSteps - 1) / (scale.top_mm - scale.low_mm))) {
+  colours_.front() = kBelowScale;
+  for (int i = 0; i < kSteps; ++i)
+    colours_[static_cast<std::size_t>(i) + 1] = scale.colour(static_cast<double>(i) / (kSteps - 1));
+  colours_.back() = kAboveScale;
+}
+
 ColourScale depth_scale(double top_mm) {
   return {-kBulgeFraction * top_mm, top_mm,
           [](double part) { return depth_colour((1 + kBulgeFraction) * part - kBulgeFraction); },

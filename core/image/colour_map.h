@@ -1,7 +1,9 @@
 // Perceptually uniform colour maps for figures, also in grey and for colour-blind people.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace alltact {
@@ -26,7 +28,10 @@ inline constexpr double kBulgeFraction = 0.25;
 /// darkest; clamped.
 [[nodiscard]] MapColour depth_colour(double part);
 
-/// A colour scale: the first colour for `low_mm` and less, the last for `top_mm` and more.
+/// Colours of values beyond the ends of every scale; no map contains them.
+inline constexpr MapColour kBelowScale{0, 225, 255}, kAboveScale{238, 0, 190};
+
+/// The first colour for `low_mm`, the last for `top_mm`.
 struct ColourScale {
   double low_mm = 0, top_mm = 1;
   MapColour (*colour)(double part) = viridis;  ///< on [0, 1]
@@ -34,7 +39,26 @@ struct ColourScale {
 
   /// Decimals, at least 2, that write each of so many evenly spaced labels as it is; at most 5.
   [[nodiscard]] int label_decimals(int labels) const;
+  /// kBelowScale and kAboveScale more than half a 255th of the scale beyond its ends.
+  [[nodiscard]] MapColour colour_at(double mm) const;
 };
+
+/// The colours of a scale for maps of many values.
+class ColourTable {
+ public:
+  explicit ColourTable(const ColourScale& scale);
+  /// As ColourScale::colour_at(), within half a 255th of the scale; not for NaN.
+  [[nodiscard]] MapColour operator()(float mm) const {
+    const float step = (mm - low_mm_) * per_mm_ + 1.5F;
+    return colours_[static_cast<std::size_t>(std::clamp(step, 0.0F, kSteps + 1.0F))];
+  }
+
+ private:
+  static constexpr int kSteps = 256;
+  float low_mm_, per_mm_;
+  std::array<MapColour, kSteps + 2> colours_;  // below, the scale's, above
+};
+
 /// The depth scale begins at -kBulgeFraction top_mm, as depth_colour(). The difference scale begins
 /// at -top_mm, with light grey in the middle.
 [[nodiscard]] ColourScale depth_scale(double top_mm);

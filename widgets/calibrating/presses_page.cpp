@@ -535,9 +535,10 @@ Overlay squares_overlay(const PressFit& fit) {
   return [fit](QPainter& painter, const ImageTransform& transform) {
     painter.setRenderHint(QPainter::Antialiasing, false);
     const double half = 0.5 * fit.side_px;
+    const ColourScale scale = difference_scale(kGoodErrorMm);
     for (const ResidualSample& sample : fit.residuals.samples) {
       if (!(sample.rim <= kInnerRim) || !std::isfinite(sample.residual_mm)) continue;
-      const MapColour colour = cool_to_warm(sample.residual_mm / kGoodErrorMm);
+      const MapColour colour = scale.colour_at(sample.residual_mm);
       const QPointF at(sample.pixel.x(), sample.pixel.y());
       painter.fillRect(QRectF(transform.to_widget(at - QPointF(half, half)),
                               transform.to_widget(at + QPointF(half, half))),

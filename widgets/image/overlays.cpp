@@ -192,22 +192,17 @@ void write_next_to(QPainter& painter, QPointF widget, const QString& words, cons
   write_on_plate(painter, at, words, colour);
 }
 
-namespace {
-
-/// Points at both ends of the bar: their colours stand for values beyond the scale, too.
-void fill_ends(QPainter& painter, const QRectF& bar, const ColourScale& scale) {
+void fill_scale_ends(QPainter& painter, const QRectF& bar) {
   const double length = 0.5 * bar.height();
   for (const bool is_top : {false, true}) {
     const double x = is_top ? bar.right() : bar.left();
     QPainterPath point(QPointF(x, bar.top()));
     point.lineTo(x + (is_top ? length : -length), bar.center().y());
     point.lineTo(x, bar.bottom());
-    const MapColour colour = scale.colour(is_top ? 1 : 0);
+    const MapColour colour = is_top ? kAboveScale : kBelowScale;
     painter.fillPath(point, QColor(colour.red, colour.green, colour.blue));
   }
 }
-
-}  // namespace
 
 Overlay colour_bar_overlay(const ColourScale& scale, const QString& title,
                            const std::vector<LegendLine>& legend) {
@@ -256,7 +251,7 @@ Overlay colour_bar_overlay(const ColourScale& scale, const QString& title,
       gradient.setColorAt(part, QColor(colour.red, colour.green, colour.blue));
     }
     painter.fillRect(bar, gradient);
-    fill_ends(painter, bar, scale);
+    fill_scale_ends(painter, bar);
     if (scale.low_mm < 0 && scale.top_mm > 0) {
       const double zero = bar.left() - bar.width() * scale.low_mm / (scale.top_mm - scale.low_mm);
       painter.drawLine(QPointF(zero, bar.top() - 2), QPointF(zero, bar.bottom() + 2));

@@ -42,6 +42,8 @@ struct LegendLine {
   QBrush pattern;
   QString words;
 };
+/// Points at both ends of a colour bar, in the colours of values beyond the scale.
+void fill_scale_ends(QPainter& painter, const QRectF& bar);
 /// The scale with its numbers, zero marked where it lies within, and above it the legend's lines;
 /// at the lower right of the view.
 [[nodiscard]] Overlay colour_bar_overlay(const ColourScale& scale, const QString& title,

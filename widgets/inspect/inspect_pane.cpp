@@ -407,15 +407,7 @@ void draw_point(QPainter& painter, QPointF at, const QString& letter) {
 }  // namespace
 
 cv::Mat height_layer(const cv::Mat& value_mm, const ColourScale& scale) {
-  constexpr int kSteps = 256;
-  std::array<cv::Vec4b, kSteps> table;
-  for (int i = 0; i < kSteps; ++i) {
-    const double part = static_cast<double>(i) / (kSteps - 1);
-    const MapColour c = scale.colour(part);
-    table[static_cast<std::size_t>(i)] = {c.blue, c.green, c.red, 255};
-  }
-  const auto low = static_cast<float>(scale.low_mm);
-  const auto per_mm = static_cast<float>((kSteps - 1) / (scale.top_mm - scale.low_mm));
+  const ColourTable colour_of(scale);
   cv::Mat layer(value_mm.size(), CV_8UC4);
   for (int v = 0; v < layer.rows; ++v) {
     const auto* value = value_mm.ptr<float>(v);
@@ -423,8 +415,8 @@ cv::Mat height_layer(const cv::Mat& value_mm, const ColourScale& scale) {
     for (int u = 0; u < layer.cols; ++u) {
       pixel[u] = cv::Vec4b(0, 0, 0, 0);
       if (!std::isfinite(value[u])) continue;
-      const float step = (value[u] - low) * per_mm + 0.5F;
-      pixel[u] = table[static_cast<std::size_t>(std::clamp(step, 0.0F, kSteps - 1.0F))];
+      const MapColour c = colour_of(value[u]);
+      pixel[u] = cv::Vec4b(c.blue, c.green, c.red, 255);
     }
   }
   return layer;

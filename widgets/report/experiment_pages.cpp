@@ -1,6 +1,7 @@
 #include "widgets/report/experiment_pages.h"
 
 #include "core/image/colour_map.h"
+#include "widgets/image/overlays.h"
 #include "widgets/language.h"
 #include "widgets/plots/custom_plot.h"
 #include "widgets/report/document.h"
@@ -150,7 +151,7 @@ QImage coloured(const cv::Mat_<float>& map_mm, const ColourScale& scale) {
         image.setPixel(u, v, qRgb(128, 128, 128));
         continue;
       }
-      const MapColour c = scale.colour((mm - scale.low_mm) / (scale.top_mm - scale.low_mm));
+      const MapColour c = scale.colour_at(mm);
       image.setPixel(u, v, qRgb(c.red, c.green, c.blue));
     }
   return image;
@@ -181,6 +182,7 @@ double draw_scale(QPainter& painter, const ColourScale& scale, const QString& ti
     colours.setColorAt(i / 16.0, QColor(c.red, c.green, c.blue));
   }
   painter.fillRect(bar, colours);
+  fill_scale_ends(painter, bar);
   for (int i = 0; i <= scale.steps; ++i) {
     const double part = static_cast<double>(i) / scale.steps;
     const double x = bar.left() + part * bar.width();

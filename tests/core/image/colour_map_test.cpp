@@ -27,6 +27,31 @@ TEST(ColourScale, LabelsAreWrittenAsTheyAre) {
   EXPECT_EQ(depth_scale(1.0).label_decimals(6), 2);
 }
 
+TEST(ColourScale, ValuesBeyondItHaveColoursOfTheirOwn) {
+  const auto is = [](const MapColour& a, const MapColour& b) {
+    return a.red == b.red && a.green == b.green && a.blue == b.blue;
+  };
+  for (const ColourScale& scale : {depth_scale(1.5), difference_scale(0.05)}) {
+    const ColourTable table(scale);
+    const double range_mm = scale.top_mm - scale.low_mm;
+    const auto expect = [&](double mm, const MapColour& colour) {
+      EXPECT_TRUE(is(scale.colour_at(mm), colour)) << mm;
+      EXPECT_TRUE(is(table(static_cast<float>(mm)), colour)) << mm;
+    };
+    expect(scale.top_mm + 0.01 * range_mm, kAboveScale);
+    expect(1000, kAboveScale);
+    expect(scale.low_mm - 0.01 * range_mm, kBelowScale);
+    expect(scale.top_mm, scale.colour(1));
+    expect(scale.low_mm, scale.colour(0));
+    for (int i = 0; i <= 100; ++i)
+      for (const MapColour& beyond : {kBelowScale, kAboveScale}) {
+        const MapColour c = scale.colour(0.01 * i);
+        EXPECT_GT(std::hypot(c.red - beyond.red, c.green - beyond.green, c.blue - beyond.blue), 75)
+            << i;
+      }
+  }
+}
+
 /// Relative luminance of sRGB, 0 to 1.
 double luminance(const MapColour& colour) {
   const auto linear = [](std::uint8_t level) {
