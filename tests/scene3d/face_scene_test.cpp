@@ -293,21 +293,59 @@ TEST_F(GripperSceneTest, DrawsTheGapAndTheFrames) {
   EXPECT_GT(cv::countNonZero(cv::Mat(bare != renderer_.image()).reshape(1)), 600);
 }
 
-TEST(FaceMesh, PlacesNormalsAndTriangles) {
+/// Red, green, blue.
+cv::Vec3d colour_of(const FaceMesh& mesh, int column, int row) {
+  cv::Vec3d colour;
+  mesh.data()->GetPointData()->GetScalars()->GetTuple(row * mesh.drawn_mm().cols + column,
+                                                      colour.val);
+  return colour;
+}
+
+TEST(FaceMesh, PlacesTrianglesAndLightsAFlatFaceInFull) {
   MadeSurface made;
   made.slope = 0.5;
+  made.deepest_mm = 0;
   const FaceSurface surface = made.make(20, 10);
   FaceMesh mesh;
   mesh.update(surface.untouched_mm, surface.depth_mm, 1, surface.depth_mm, {});
   EXPECT_EQ(mesh.data()->GetNumberOfPoints(), 200);
   EXPECT_EQ(mesh.data()->GetNumberOfPolys(), 2 * 19 * 9);
-  double at[3], normal[3];
+  double at[3];
   mesh.data()->GetPoint(0, at);
   EXPECT_NEAR(at[2], made.z_mm + made.slope * at[0], 1e-4);
-  mesh.data()->GetPointData()->GetNormals()->GetTuple(0, normal);
-  // z - slope x = constant; towards the camera.
-  const Eigen::Vector3d expected = Eigen::Vector3d(made.slope, 0, -1).normalized();
-  EXPECT_LT((Eigen::Vector3d(normal) - expected).norm(), 1e-5);
+  const MapColour plain = viridis(0);
+  EXPECT_LT(cv::norm(colour_of(mesh, 0, 0) - cv::Vec3d(plain.red, plain.green, plain.blue)), 2)
+      << "however it slopes";
+}
+
+/// Five hundredths of a millimetre in a face of one colour.
+TEST(FaceMesh, LightsAPressFromTheLeftAndLaysAShadowAroundIt) {
+  MadeSurface made;
+  made.deepest_mm = 0.05;
+  made.radius_mm = 1.5;
+  const FaceSurface surface = made.make(481, 271);
+  FaceMesh mesh;
+  mesh.update(surface.untouched_mm, surface.depth_mm, 1, cv::Mat(surface.depth_mm * 0 + 0.5F), {});
+  const double flat = cv::norm(colour_of(mesh, 40, 40));
+  constexpr int kStep = 5;  // vertices a mm
+  EXPECT_GT(cv::norm(colour_of(mesh, 240 - kStep, 135)), 1.05 * flat);
+  EXPECT_LT(cv::norm(colour_of(mesh, 240 + kStep, 135)), 0.9 * flat);
+  for (const int side : {-1, 1})
+    for (const cv::Point at : {cv::Point(240 + side * 9, 135), cv::Point(240, 135 + side * 9)}) {
+      EXPECT_LT(cv::norm(colour_of(mesh, at.x, at.y)), 0.96 * flat) << at;
+      EXPECT_GT(cv::norm(colour_of(mesh, at.x, at.y)), 0.6 * flat) << at;
+    }
+}
+
+TEST(FaceMesh, MarksWhatIsBeyondTheScale) {
+  const FaceSurface surface = MadeSurface().make(20, 10);
+  FaceMesh mesh;
+  const cv::Mat flat = cv::Mat::zeros(surface.depth_mm.size(), CV_32FC1);
+  for (const auto& [mm, colour] : {std::pair{0.81F, kAboveScale}, {-0.21F, kBelowScale}}) {
+    mesh.update(surface.untouched_mm, flat, 1, flat + mm, depth_scale(0.8));
+    EXPECT_LT(cv::norm(colour_of(mesh, 5, 5) - cv::Vec3d(colour.red, colour.green, colour.blue)), 3)
+        << mm;
+  }
 }
 
 TEST(FaceGrid, PixelsAndPlacesAreEachOthersInverse) {

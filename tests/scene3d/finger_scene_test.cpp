@@ -148,6 +148,26 @@ TEST_F(FingerSceneTest, FillsTheView) {
   }
 }
 
+/// Over a face brought so near that it fills the view.
+TEST_F(FingerSceneTest, TheScaleHasAPlateAndMarksItsEnds) {
+  scene().set_viewpoint(Viewpoint::kCamera);
+  show(MadeFinger().make());
+  scene().dolly(2);
+  look_at_it("scale");
+  const cv::Mat image = renderer_.image();
+  const cv::Vec3b left = image.at<cv::Vec3b>(250, 600), plate = image.at<cv::Vec3b>(250, 790);
+  EXPECT_LT(left[0], 100) << "the face";
+  EXPECT_GT(plate[0], 190) << "letters are black";
+  cv::Mat above, below;
+  const cv::Scalar top(kAboveScale.blue, kAboveScale.green, kAboveScale.red),
+      low(kBelowScale.blue, kBelowScale.green, kBelowScale.red);
+  cv::inRange(image, top, top, above);
+  cv::inRange(image, low, low, below);
+  EXPECT_GT(cv::countNonZero(above), 60);
+  EXPECT_GT(cv::countNonZero(below), 60);
+  EXPECT_LT(cv::boundingRect(above).br().y, cv::boundingRect(below).y);
+}
+
 TEST_F(FingerSceneTest, NothingHidesTheFace) {
   const cv::Point2d middle(479.5, 269.5), beside(300, 269.5);
   for (const Viewpoint viewpoint : {Viewpoint::kTilted, Viewpoint::kCamera, Viewpoint::kOutside}) {
@@ -187,6 +207,43 @@ TEST_F(FingerSceneTest, LightShowsFiveHundredthsOfAMillimetre) {
   const double around = grey.at<std::uint8_t>(cv::Point(middle) + cv::Point(60, 0));
   EXPECT_LT(low, 0.95 * around) << "a side in shade";
   EXPECT_GT(high, 1.05 * around) << "a side in the light";
+}
+
+/// A ball's two sides keep their brightness when the finger is turned.
+TEST_F(FingerSceneTest, TheLightStaysWithTheFinger) {
+  for (const Viewpoint viewpoint : {Viewpoint::kTilted, Viewpoint::kCamera, Viewpoint::kOutside}) {
+    scene().set_viewpoint(viewpoint);
+    show(MadeFinger().make());
+    const double left = cv::norm(at({463, 269.5})), right = cv::norm(at({496, 269.5}));
+    EXPECT_GT(left, 1.2 * right) << static_cast<int>(viewpoint);
+  }
+}
+
+TEST_F(FingerSceneTest, TheCameraIsSeenThroughTheBody) {
+  scene().set_viewpoint(Viewpoint::kOutside);
+  show(MadeFinger().make());
+  const cv::Mat with = renderer_.image();
+  const ViewPose look = scene().view_pose();
+  options_.camera = false;
+  scene().set_options(options_);
+  scene().set_view_pose(look);
+  EXPECT_GT(cv::countNonZero(cv::Mat(with != renderer_.image()).reshape(1)), 100);
+}
+
+TEST_F(FingerSceneTest, TheStickHasTheLanguagesDecimalMark) {
+  options_.exaggeration = 20;
+  scene().set_options(options_);
+  show(MadeFinger().make());
+  const cv::Rect room(0, 0, kFingerView.width - 90, kFingerView.height);
+  const cv::Mat point = renderer_.image()(room).clone();
+  scene().set_colours({.decimal_mark = ','});
+  const cv::Mat comma = renderer_.image()(room).clone();
+  const int changed = cv::countNonZero(cv::Mat(point != comma).reshape(1));
+  EXPECT_GT(changed, 2) << "0,2 mm";
+  EXPECT_LT(changed, 300);
+  show(MadeFinger().make());
+  EXPECT_EQ(cv::countNonZero(cv::Mat(comma != renderer_.image()(room)).reshape(1)), 0)
+      << "the next frame, too";
 }
 
 TEST_F(FingerSceneTest, TheBodyAndTheRulerCanBeTakenAway) {

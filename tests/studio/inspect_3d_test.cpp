@@ -86,6 +86,15 @@ TEST_F(InspectIn3DView, IsCopied) {
   EXPECT_EQ(view().findChild<QMenu*>(), nullptr);
 }
 
+TEST_F(InspectIn3DView, TheFacesRimHasItsNeighboursDepth) {
+  ASSERT_TRUE(open(MadeFingers::get().touched_pictures()));
+  const cv::Mat& depth_mm = frame().surface->depth_mm;
+  for (const int row : {0, depth_mm.rows - 1}) {
+    const cv::Mat rim = depth_mm.row(row);
+    EXPECT_GT(cv::countNonZero(rim == rim), 0.97 * depth_mm.cols) << row;
+  }
+}
+
 TEST_F(InspectIn3DView, TheFirst3DViewDoesNotMakeTheWindowAnew) {
   StudioOptions options;
   options.finger = MadeFingers::get().calibrated();

@@ -9,21 +9,27 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <tuple>
 #include <vector>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 #include <vtkActor.h>
+#include <vtkActor2D.h>
 #include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
+#include <vtkCellArray.h>
 #include <vtkCommand.h>
 #include <vtkCoordinate.h>
 #include <vtkLight.h>
 #include <vtkLookupTable.h>
 #include <vtkNew.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkPolyDataMapper2D.h>
 #include <vtkProperty.h>
+#include <vtkProperty2D.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkScalarBarActor.h>
@@ -31,6 +37,7 @@
 #include <vtkSmartPointer.h>
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
+#include <vtkUnsignedCharArray.h>
 
 namespace alltact {
 namespace {
@@ -160,7 +167,8 @@ class SceneView {
   std::optional<Eigen::Vector3d> eye_set_;  // the eye that look_at() set
 };
 
-/// Writes numbers with another decimal mark than the C locale's.
+/// Writes numbers with another decimal mark than the C locale's. Points at the bar's ends have the
+/// colours of values beyond the scale.
 class BarActor : public vtkScalarBarActor {
  public:
   static BarActor* New() {
@@ -185,7 +193,24 @@ class BarActor : public vtkScalarBarActor {
     }
   }
 
+  void ConfigureScalarBar() override {
+    vtkScalarBarActor::ConfigureScalarBar();
+    const double left = P->ScalarBarBox.Posn[0], low = P->ScalarBarBox.Posn[1];
+    const double width = P->ScalarBarBox.Size[0], top = low + P->ScalarBarBox.Size[1];
+    for (const auto& [y, length, colour] :
+         {std::tuple{low, -kEndLength, kBelowScale}, {top, kEndLength, kAboveScale}}) {
+      const vtkIdType corners[] = {
+          P->SwatchPts->InsertNextPoint(left, y, 0),
+          P->SwatchPts->InsertNextPoint(left + width, y, 0),
+          P->SwatchPts->InsertNextPoint(left + 0.5 * width, y + length * width, 0)};
+      P->Polys->InsertNextCell(3, corners);
+      const double rgba[] = {double(colour.red), double(colour.green), double(colour.blue), 255};
+      P->SwatchColors->InsertNextTuple(rgba);
+    }
+  }
+
  private:
+  static constexpr double kEndLength = 0.5;  // in widths of the bar
   char mark_ = '.';
 };
 
@@ -200,7 +225,6 @@ class ColourBar {
     bar_->UnconstrainedFontSizeOn();
     bar_->SetBarRatio(0.28);
     bar_->SetTextPad(4);
-    bar_->SetVerticalTitleSeparation(10);
     bar_->SetMaximumNumberOfColors(kSteps);
     bar_->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
     for (vtkTextProperty* text : {bar_->GetLabelTextProperty(), bar_->GetTitleTextProperty()}) {
@@ -208,11 +232,21 @@ class ColourBar {
       text->BoldOff();
       text->ShadowOff();
     }
-    bar_->VisibilityOff();
+    plate_mapper_->SetInputData(plate_data_);
+    const vtkNew<vtkCoordinate> window;
+    window->SetCoordinateSystemToNormalizedViewport();
+    plate_mapper_->SetTransformCoordinate(window);
+    plate_->SetMapper(plate_mapper_);
+    plate_->GetProperty()->SetOpacity(0.8);
+    show(false);
+    renderer->AddActor2D(plate_);  // before the bar, so behind it
     renderer->AddActor2D(bar_);
   }
 
-  void show(bool is_shown) { bar_->SetVisibility(is_shown); }
+  void show(bool is_shown) {
+    bar_->SetVisibility(is_shown);
+    plate_->SetVisibility(is_shown);
+  }
   void set_scale(const ColourScale& scale) {
     colours_->SetNumberOfTableValues(kSteps);
     colours_->SetTableRange(scale.low_mm, scale.top_mm);
@@ -229,6 +263,8 @@ class ColourBar {
   void apply_style(const SceneColours& colours) {
     const cv::Vec3b& text = colours.text;
     bar_->set_decimal_mark(colours.decimal_mark);
+    const cv::Vec3b& ground = colours.ground;
+    plate_->GetProperty()->SetColor(ground[0] / 255.0, ground[1] / 255.0, ground[2] / 255.0);
     for (vtkTextProperty* property : {bar_->GetLabelTextProperty(), bar_->GetTitleTextProperty()}) {
       property->SetColor(text[0] / 255.0, text[1] / 255.0, text[2] / 255.0);
       property->SetFontSize(kLetterPoints);
@@ -242,6 +278,18 @@ class ColourBar {
     bar_->SetPosition(left, 0.5 * (1 - height));
     bar_->SetWidth(1 - left);
     bar_->SetHeight(height);
+    constexpr double kEnd = 18, kLeftMargin = 7;
+    bar_->SetVerticalTitleSeparation(static_cast<int>(std::lround(kEnd * pixels_per_unit)));
+    const double margin = kEnd * pixels_per_unit / window_px[1];
+    const double low = 0.5 * (1 - height) - margin, top = 0.5 * (1 + height) + margin;
+    const double edge = left - kLeftMargin * pixels_per_unit / window_px[0];
+    const vtkNew<vtkPoints> corners;
+    for (const auto& [x, y] : {std::pair{edge, low}, {1.0, low}, {1.0, top}, {edge, top}})
+      corners->InsertNextPoint(x, y, 0);
+    const vtkNew<vtkCellArray> cells;
+    cells->InsertNextCell({0, 1, 2, 3});
+    plate_data_->SetPoints(corners);
+    plate_data_->SetPolys(cells);
   }
   /// Fraction of the window's width that stays free of it.
   [[nodiscard]] static double free_fraction(const int* window_px, double pixels_per_unit) {
@@ -252,6 +300,9 @@ class ColourBar {
  private:
   static constexpr int kSteps = 256;  // colours
   vtkNew<BarActor> bar_;
+  vtkNew<vtkPolyData> plate_data_;
+  vtkNew<vtkPolyDataMapper2D> plate_mapper_;
+  vtkNew<vtkActor2D> plate_;
   vtkNew<vtkLookupTable> colours_;
 };
 
@@ -311,29 +362,33 @@ class MarkActors {
 
 constexpr double kGripperAxis_mm = 20;
 
-/// Both lights turn with the eye. With the ambient light they add up to 1 on surfaces that face it.
-void light(vtkRenderer* renderer) {
-  constexpr double kHead = 0.25;
-  const Eigen::Vector3d key(-0.9, 0.25, 0.75);  // in the eye's frame: right, up, back
-  renderer->AutomaticLightCreationOff();
-  renderer->RemoveAllLights();
-  for (const auto& [from, strength] : {std::pair{Eigen::Vector3d(0, 0, 1), kHead},
-                                       {key, (1 - kFaceAmbient - kHead) / key.normalized().z()}}) {
-    const vtkNew<vtkLight> lamp;
-    lamp->SetLightTypeToCameraLight();
-    lamp->SetPosition(from.data());
-    lamp->SetFocalPoint(0, 0, 0);
-    lamp->SetIntensity(strength);
-    renderer->AddLight(lamp);
+/// Light for the bodies.
+class Lamps {
+ public:
+  explicit Lamps(vtkRenderer* renderer) {
+    renderer->AutomaticLightCreationOff();
+    head_->SetLightTypeToHeadlight();
+    head_->SetIntensity(0.5);
+    key_->SetLightTypeToSceneLight();
+    key_->SetIntensity(0.7);
+    for (vtkLight* lamp : {head_.Get(), key_.Get()}) renderer->AddLight(lamp);
   }
-}
+  /// The direction that the key light comes from, in the scene.
+  void set_key(const Eigen::Vector3d& from) {
+    key_->SetPosition(from.x(), from.y(), from.z());
+    key_->SetFocalPoint(0, 0, 0);
+  }
+
+ private:
+  vtkNew<vtkLight> head_, key_;
+};
 
 }  // namespace
 
-/// All of it is opaque: blending costs passes over the full window, which are slow in software.
 struct FaceScene::State {
   vtkRenderWindow* window;
   vtkNew<vtkRenderer> renderer;
+  Lamps lamps{renderer};
   FingerActors first{renderer}, second{renderer};
   Axes gripper{renderer, kGripperAxis_mm};
   MarkActors mark_actors{renderer};
@@ -351,7 +406,6 @@ struct FaceScene::State {
   bool has_view_pose = false;  // a viewpoint was set
 
   explicit State(vtkRenderWindow* of) : window(of) {
-    light(renderer);
     const vtkNew<vtkCallbackCommand> start;
     start->SetClientData(this);
     start->SetCallback([](vtkObject*, unsigned long, void* self, void*) {
@@ -430,6 +484,7 @@ void FaceScene::State::aim_camera() {
 }
 
 void FaceScene::State::shown(bool is_first) {
+  lamps.set_key(first.light());
   bar.show(first.has_depth());
   draw_marks();
   if (is_first && !has_view_pose) aim_camera();

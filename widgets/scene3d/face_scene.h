@@ -46,8 +46,9 @@ struct SceneFinger {
 /// The scene's frame is the camera's, or with two fingers the gripper's. Changes take effect when
 /// the window renders. For one thread, that of the window.
 ///
-/// The light comes slanting from above the viewer's left shoulder and from the eye. A surface that
-/// faces the eye is as bright as the colour scale, whatever its depth.
+/// A face's light is fixed to its finger, see FaceMesh::update(): where it is flat, it has the
+/// scale's colours from every viewpoint. The bodies are lit by the first finger's key light and by
+/// some light from the eye.
 class FaceScene {
  public:
   /// The window outlives the scene.

@@ -75,6 +75,16 @@ float depth_between(const cv::Mat& depth_mm, double u, double v) {
                           : std::numeric_limits<float>::quiet_NaN();
 }
 
+/// The edges lie up to two pixels outside the last pixels with a depth.
+float depth_within(const cv::Mat& depth_mm, double u, double v, const EdgeRows& edges) {
+  constexpr int kMargin = 2;
+  float depth = depth_between(depth_mm, u, v);
+  const int inward = v < edges.first + kMargin ? 1 : v > edges.last - kMargin ? -1 : 0;
+  for (int k = 1; k <= kMargin && inward != 0 && !std::isfinite(depth); ++k)
+    depth = depth_between(depth_mm, u, v + k * inward);
+  return depth;
+}
+
 /// The side face at row 0 or at the last row, straight behind the face: the edge, and below it the
 /// same edge `deep_mm` further in.
 cv::Mat side_wall(const cv::Mat& untouched_mm, int row, double deep_mm) {
@@ -136,8 +146,8 @@ std::optional<FaceSurface> surface_of(const FrameResult& result, const cv::Mat& 
       const Eigen::Vector3f at =
           untouched_point_mm(*local, face.layer_mm, MappingAlong::kZ).cast<float>();
       surface.untouched_mm.at<cv::Vec3f>(j, i) = {at.x(), at.y(), at.z()};
-      surface.depth_mm.at<float>(j, i) =
-          depth.empty() ? std::numeric_limits<float>::quiet_NaN() : depth_between(depth, u, v);
+      surface.depth_mm.at<float>(j, i) = depth.empty() ? std::numeric_limits<float>::quiet_NaN()
+                                                       : depth_within(depth, u, v, inside);
       surface.pixel.at<cv::Vec2f>(j, i) = {static_cast<float>(u), static_cast<float>(v)};
     }
   }

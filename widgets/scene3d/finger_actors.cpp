@@ -13,6 +13,9 @@
 #include <vtkCoordinate.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
+#include <vtkOpenGLPolyDataMapper.h>
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLState.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
@@ -54,9 +57,7 @@ FingerActors::FingerActors(vtkRenderer* renderer)
   mapper->SetResolveCoincidentTopologyToPolygonOffset();
   mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(2, 2);
   face_->SetMapper(mapper);
-  face_->GetProperty()->SetAmbient(kFaceAmbient);
-  face_->GetProperty()->SetDiffuse(1.0);
-  face_->GetProperty()->SetSpecular(0.0);
+  face_->GetProperty()->LightingOff();  // the mesh's colours contain it
   for (vtkActor* actor : {face_.Get(), ghost_.Get(), camera_.Get()}) renderer->AddActor(actor);
   hide();
 }
@@ -300,8 +301,24 @@ namespace {
 
 constexpr double kSeen[3] = {0.34, 0.71, 0.91}, kGuessed[3] = {0.60, 0.60, 0.60};
 
-vtkSmartPointer<vtkActor> wall_actor(vtkPolyData* data) {
-  const vtkNew<vtkPolyDataMapper> mapper;
+/// Draws without a depth of its own, so that what is drawn later is never behind it.
+class GlassMapper : public vtkOpenGLPolyDataMapper {
+ public:
+  static GlassMapper* New() {
+    auto* mapper = new GlassMapper;
+    mapper->InitializeObjectBase();
+    return mapper;
+  }
+  void RenderPiece(vtkRenderer* renderer, vtkActor* actor) override {
+    vtkOpenGLState* gl =
+        static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow())->GetState();
+    gl->vtkglDepthMask(false);
+    vtkOpenGLPolyDataMapper::RenderPiece(renderer, actor);
+    gl->vtkglDepthMask(true);
+  }
+};
+
+vtkSmartPointer<vtkActor> body_actor(vtkPolyData* data, vtkPolyDataMapper* mapper) {
   mapper->SetInputData(data);
   mapper->ScalarVisibilityOff();
   mapper->SetResolveCoincidentTopologyToPolygonOffset();
@@ -312,6 +329,17 @@ vtkSmartPointer<vtkActor> wall_actor(vtkPolyData* data) {
   actor->GetProperty()->SetAmbient(0.45);
   actor->GetProperty()->SetDiffuse(0.55);
   actor->GetProperty()->SetSpecular(0);
+  return actor;
+}
+
+vtkSmartPointer<vtkActor> wall_actor(vtkPolyData* data, double opacity) {
+  auto actor = body_actor(data, vtkNew<GlassMapper>());
+  actor->GetProperty()->SetAmbient(0.7);
+  actor->GetProperty()->SetDiffuse(0.3);
+  actor->GetProperty()->SetOpacity(opacity);
+  // Blended in the order of drawing: the passes for sorted translucency cost whole windows, which
+  // are slow in software.
+  actor->ForceOpaqueOn();
   return actor;
 }
 
@@ -373,8 +401,9 @@ void mix(vtkActor* actor, const SceneColours& colours, double text_part) {
 }  // namespace
 
 BodyActors::BodyActors(vtkRenderer* renderer)
-    : walls_(wall_actor(walls_data_)),
-      base_(wall_actor(base_data_)),
+    : far_walls_(wall_actor(walls_data_, 0.45)),
+      near_walls_(wall_actor(walls_data_, 0.2)),
+      base_(body_actor(base_data_, vtkNew<vtkPolyDataMapper>())),
       edges_(line_actor(edges_data_, 15)),
       back_(line_actor(back_data_, 15)),
       seen_(line_actor(seen_data_, 15)),
@@ -382,13 +411,15 @@ BodyActors::BodyActors(vtkRenderer* renderer)
   for (const auto& dots : {seen_, guessed_}) dots->GetProperty()->SetRenderPointsAsSpheres(true);
   seen_->GetProperty()->SetColor(kSeen[0], kSeen[1], kSeen[2]);
   guessed_->GetProperty()->SetColor(kGuessed[0], kGuessed[1], kGuessed[2]);
+  far_walls_->GetProperty()->FrontfaceCullingOn();
+  near_walls_->GetProperty()->BackfaceCullingOn();
   base_->GetProperty()->BackfaceCullingOn();
   for (vtkActor* actor : all()) renderer->AddActor(actor);
   set_viewpoint(false, false);
 }
 
-std::array<vtkActor*, 6> BodyActors::all() const {
-  return {walls_, base_, edges_, back_, seen_, guessed_};
+std::array<vtkActor*, 7> BodyActors::all() const {
+  return {far_walls_, near_walls_, base_, edges_, back_, seen_, guessed_};
 }
 
 void BodyActors::draw(const FingerBody& body, const std::vector<SurfaceMarker>& markers) {
@@ -433,8 +464,14 @@ void BodyActors::set_pose(vtkMatrix4x4* scene_from_camera) {
 }
 
 void BodyActors::apply_style(const SceneColours& colours, double pixels_per_unit) {
-  constexpr double kWalls = 0.16, kBase = 0.34, kEdges = 0.55;
-  mix(walls_, colours, kWalls);
+  constexpr double kWalls = 0.4, kBase = 0.34, kEdges = 0.55;
+  for (const auto& walls : {far_walls_, near_walls_}) {
+    mix(walls, colours, kWalls);
+    const Eigen::Vector3d silicone(0.44, 0.62, 0.74);
+    const Eigen::Vector3d tinted =
+        0.5 * (Eigen::Vector3d(walls->GetProperty()->GetColor()) + silicone);
+    walls->GetProperty()->SetColor(tinted.x(), tinted.y(), tinted.z());
+  }
   mix(base_, colours, kBase);
   for (const auto& lines : {edges_, back_}) {
     mix(lines, colours, kEdges);
@@ -446,8 +483,6 @@ void BodyActors::apply_style(const SceneColours& colours, double pixels_per_unit
 
 void BodyActors::set_viewpoint(bool is_outside, bool is_behind_base) {
   is_outside_ = is_outside;
-  walls_->GetProperty()->SetFrontfaceCulling(!is_outside);
-  walls_->GetProperty()->SetBackfaceCulling(is_outside);
   is_behind_base_ = is_behind_base;
   show_parts();
 }
@@ -492,7 +527,9 @@ void Ruler::hide() {
 void Ruler::write(const Eigen::Vector3d& at, const std::string& text) {
   if (written_ >= texts_.size()) return;
   vtkTextActor* actor = texts_[written_++];
-  actor->SetInput(text.c_str());
+  std::string written = text;
+  std::replace(written.begin(), written.end(), '.', decimal_mark_);
+  actor->SetInput(written.c_str());
   actor->GetPositionCoordinate()->SetValue(at.x(), at.y(), at.z());
   actor->VisibilityOn();
   corners_.push_back(at);
@@ -568,7 +605,11 @@ void Ruler::apply_style(const SceneColours& colours, double pixels_per_unit) {
   for (const auto& text : texts_) {
     text->GetTextProperty()->SetColor(mixed);
     text->GetTextProperty()->SetFontSize(kLetterPoints - 1);
+    std::string written = text->GetInput() != nullptr ? text->GetInput() : "";
+    std::replace(written.begin(), written.end(), decimal_mark_, colours.decimal_mark);
+    text->SetInput(written.c_str());
   }
+  decimal_mark_ = colours.decimal_mark;
 }
 
 void set_lines(vtkPolyData* data, const std::vector<Polyline>& lines) {

@@ -50,9 +50,9 @@ class Axes {
 
 // The finger's body in the scene: walls, base, edges, dots. Inside this folder only.
 
-/// Opaque, but it never hides the face. From the camera's side only the inner sides of the walls
-/// behind the face are drawn, from outside only the outer ones. No edge of the back crosses the
-/// face; seen from behind the base there is no base.
+/// Clear silicone that never veils the face: its walls, far ones first, are blended with what lies
+/// behind the finger, and the face is drawn over them. No edge of the back crosses the face; seen
+/// from behind the base there is no base.
 class BodyActors {
  public:
   /// The renderer outlives them.
@@ -69,10 +69,10 @@ class BodyActors {
   void show_parts();
 
   bool is_shown_ = false, is_outside_ = false, is_behind_base_ = false;
-  [[nodiscard]] std::array<vtkActor*, 6> all() const;
+  [[nodiscard]] std::array<vtkActor*, 7> all() const;
 
   vtkNew<vtkPolyData> walls_data_, base_data_, edges_data_, back_data_, seen_data_, guessed_data_;
-  vtkSmartPointer<vtkActor> walls_, base_, edges_, back_, seen_, guessed_;
+  vtkSmartPointer<vtkActor> far_walls_, near_walls_, base_, edges_, back_, seen_, guessed_;
 };
 
 // Scales for length and height along the face. Inside this folder only.
@@ -101,6 +101,7 @@ class Ruler {
   vtkNew<vtkPolyData> data_;
   vtkSmartPointer<vtkActor> lines_;
   std::array<vtkNew<vtkTextActor>, 14> texts_;
+  char decimal_mark_ = '.';
   std::size_t written_ = 0;
   std::vector<Eigen::Vector3d> corners_;
 };
@@ -108,9 +109,6 @@ class Ruler {
 /// The stick's height: of 1, 2, 5, 10 ... hundredths of a mm the one whose drawn length is nearest
 /// to, but not longer than, `longest_mm`.
 [[nodiscard]] double stick_height_mm(double exaggeration, double longest_mm);
-
-/// Fraction of ambient light; see FaceScene for the rest.
-inline constexpr double kFaceAmbient = 0.3;
 
 class FingerActors {
  public:
@@ -145,6 +143,10 @@ class FingerActors {
   [[nodiscard]] std::vector<Eigen::Vector3d> outline(bool with_body) const;
   /// Across the face, towards the camera, in the camera's frame.
   [[nodiscard]] Eigen::Vector3d inward() const;
+  /// The direction that its key light comes from, in the scene.
+  [[nodiscard]] Eigen::Vector3d light() const {
+    return pose_.direction(key_light(surface_.untouched_mm));
+  }
   [[nodiscard]] const RigidTransform& scene_from_camera() const { return pose_; }
 
   struct Hit {

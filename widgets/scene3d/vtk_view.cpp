@@ -558,6 +558,9 @@ Result<OffscreenScene> OffscreenScene::create(cv::Size size_px, double pixels_pe
   window->SetDPI(static_cast<int>(std::lround(kDotsPerInch * pixels_per_unit)));
   window->SetSize(size_px.width, size_px.height);
   window->OpenGLInitContext();
+  // VTK assumes GL_LEQUAL, without which nothing flat is drawn over anything flat.
+  window->GetState()->Reset();
+  window->GetState()->vtkglDepthFunc(GL_LEQUAL);
   state->scene = std::make_unique<FaceScene>(window);
   state->scene->set_scale(pixels_per_unit);
   return OffscreenScene(std::move(state));
