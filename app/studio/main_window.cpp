@@ -26,7 +26,6 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
-#include <QOpenGLWidget>
 #include <QSettings>
 #include <QUrl>
 #include <QVBoxLayout>
@@ -136,9 +135,6 @@ void MainWindow::put_together() {
   row->addWidget(content, 1);
   setCentralWidget(centre);
   setStatusBar(new StatusLine(session_));
-  // Qt makes a window anew that gets its first view of OpenGL after it was shown, and it is black
-  // meanwhile.
-  if (VtkView::is_supported()) (new QOpenGLWidget(this))->hide();
 }
 
 void MainWindow::make_bars(QVBoxLayout& column) {

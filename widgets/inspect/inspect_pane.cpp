@@ -42,10 +42,10 @@ InspectPane::InspectPane(PaneContent content, QWidget* parent)
   });
   stack_->addWidget(map_);
   map_->installEventFilter(this);
+  if (VtkView::is_supported()) make_face_pane();
 }
 
 void InspectPane::make_face_pane() {
-  if (face_ != nullptr || !VtkView::is_supported()) return;
   face_ = new FacePane;
   stack_->addWidget(face_);
   connect(face_, &FacePane::clicked, this, &InspectPane::clicked);
@@ -113,7 +113,6 @@ void InspectPane::show_all() {
   if (!isVisible()) return;
   const bool has_face =
       frames_.first && (frames_.first->surface || frames_.first->bare) && !waits_for_other();
-  if (options_.shown_as == ShownAs::k3d && has_face) make_face_pane();
   if (options_.shown_as == ShownAs::k3d && has_face && face_ != nullptr)
     show_3d();
   else
@@ -127,6 +126,7 @@ bool InspectPane::waits_for_other() const {
 }
 
 void InspectPane::show_3d() {
+  was_3d_ = true;
   FaceScene& scene = face_->change();
   show_in(scene, frames_, content_);
   scene.set_marks(marks_of(*frames_.first, options_));

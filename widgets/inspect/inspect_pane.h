@@ -95,7 +95,7 @@ class InspectPane : public Translated<QWidget> {
   /// The height map with `scale` times as many pixels, Format_BGR888.
   [[nodiscard]] QImage map_image(double scale) const;
   /// Null where there is no OpenGL, or before the pane was shown in 3D.
-  [[nodiscard]] FacePane* face_pane() const { return face_; }
+  [[nodiscard]] FacePane* face_pane() const { return was_3d_ ? face_ : nullptr; }
   [[nodiscard]] ImageView& height_map() const { return *map_; }
 
  Q_SIGNALS:
@@ -125,7 +125,8 @@ class InspectPane : public Translated<QWidget> {
   QLabel *title_, *pointer_label_;
   QStackedWidget* stack_;
   ImageView* map_;
-  FacePane* face_ = nullptr;
+  FacePane* face_ = nullptr;  // made at once: Qt makes a window anew for its first OpenGL
+  bool was_3d_ = false;
   std::optional<QPointF> pressed_;
 };
 

@@ -337,7 +337,7 @@ vtkSmartPointer<vtkActor> wall_actor(vtkPolyData* data, double opacity) {
   actor->GetProperty()->SetAmbient(0.7);
   actor->GetProperty()->SetDiffuse(0.3);
   actor->GetProperty()->SetOpacity(opacity);
-  // Blended in the order of drawing: the passes for sorted translucency cost whole windows, which
+  // Blended in the order of drawing: the passes for sorted translucency cost a full window, which
   // are slow in software.
   actor->ForceOpaqueOn();
   return actor;
