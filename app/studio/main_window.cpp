@@ -14,7 +14,6 @@
 #include "widgets/pages/inspect_page.h"
 #include "widgets/pages/live_page.h"
 #include "widgets/pages/record_page.h"
-#include "widgets/scene3d/vtk_view.h"
 #include "widgets/theme.h"
 
 #include <QApplication>
