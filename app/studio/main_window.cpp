@@ -115,7 +115,7 @@ MainWindow::~MainWindow() {
 void MainWindow::make_pages(const StudioOptions& options) {
   auto* calibrate = new CalibratePage(session_, undo_, options.work_folder, program_version());
   auto* accuracy = new AccuracyPage(session_, undo_, program_version());
-  pages_ = {live_, calibrate, new RecordPage(session_), inspect_, accuracy};
+  pages_ = {live_, calibrate, new RecordPage(session_, undo_), inspect_, accuracy};
   guide_ = new Tutorial(session_, work_, *calibrate, options.work_folder);
   hint_ = new PageHint(*guide_);
 }

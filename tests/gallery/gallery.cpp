@@ -170,7 +170,7 @@ Shown settings_dialog() { return std::make_unique<SettingsDialog>(Appearance{}, 
 /// The place with nothing to record from.
 class EmptyRecording : public QWidget {
  public:
-  EmptyRecording() : place_(session_) {
+  EmptyRecording() : place_(session_, undo_) {
     // In no folder that there is: the space left on a disk is another one everywhere.
     place_.set_file(QStringLiteral("/no/such/folder/bending.mkv"));
     auto* layout = new QVBoxLayout(this);
@@ -179,6 +179,7 @@ class EmptyRecording : public QWidget {
 
  private:
   LiveSession session_;
+  QUndoStack undo_;
   RecordPage place_;
 };
 

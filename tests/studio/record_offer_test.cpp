@@ -5,14 +5,21 @@
 #include "core/recording/video_file.h"
 #include "tests/studio/studio_rig.h"
 #include "widgets/panels/frame_strip.h"
+#include "widgets/panels/image_panel.h"
 #include "widgets/panels/recording_checks.h"
+#include "widgets/undo_step.h"
 
+#include <QApplication>
 #include <QCheckBox>
 #include <QFileDialog>
 #include <QLineEdit>
+#include <QListWidget>
+#include <QMouseEvent>
+#include <algorithm>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <opencv2/imgproc.hpp>
 
 namespace alltact::test {
 namespace {
@@ -93,6 +100,151 @@ TEST_F(RecordOffer, ShowsWhatBecomesOfEachFrameBeforeItIsInstalled) {
     used += static_cast<int>(strip->words_at(x).endsWith(QLatin1String("used")));
   EXPECT_GT(used, strip->width() / 4);
   EXPECT_FALSE(std::filesystem::exists(folder_ / "finger/reference.mkv"));
+}
+
+TEST_F(RecordOffer, FramesAreLeftOutByDraggingAndTakenInAgain) {
+  open();
+  record(folder_ / "bend.mkv");
+  ASSERT_TRUE(wait_for_words("Expected error"));
+  auto* strip = studio_->window().findChild<FrameStrip*>();
+  const std::vector<FrameUse> before = strip->uses();
+  const auto excluded = [&] {
+    return std::count(strip->uses().begin(), strip->uses().end(), FrameUse::kExcluded);
+  };
+  const auto errors = [&] {
+    for (const QLabel* label : studio_->window().findChildren<QLabel*>())
+      if (label->isVisible() && label->text().contains(QLatin1String("Expected error")))
+        return label->text();
+    return QString();
+  };
+  const QString first = errors();
+  const int y = 16, from = strip->width() / 4, to = strip->width() / 2;
+  QTest::mousePress(strip, Qt::LeftButton, {}, {from, y});
+  QMouseEvent move(QEvent::MouseMove, QPointF(to, y), strip->mapToGlobal(QPointF(to, y)),
+                   Qt::NoButton, Qt::LeftButton, {});
+  QApplication::sendEvent(strip, &move);
+  QTest::mouseRelease(strip, Qt::LeftButton, {}, {to, y});
+  ASSERT_TRUE(strip->selection());
+  const auto count = strip->selection()->last - strip->selection()->first + 1;
+  ASSERT_GT(count, 5);
+  const QString frames = QStringLiteral("frames %1 to %2")
+                             .arg(strip->selection()->first)
+                             .arg(strip->selection()->last);
+  studio_->click(QStringLiteral("Leave out ") + frames);
+  EXPECT_EQ(excluded(), count) << "at once";
+  ASSERT_TRUE(wait_until([&] { return !errors().isEmpty() && errors() != first; }, 60000))
+      << "judged anew without them";
+  EXPECT_EQ(excluded(), count);
+  EXPECT_EQ(undo_words(studio_->window().undo_stack()), QStringLiteral("leave out ") + frames);
+  studio_->window().undo_stack().undo();
+  ASSERT_TRUE(wait_until([&] { return errors() == first; }, 60000)) << errors().toStdString();
+  EXPECT_EQ(strip->uses(), before);
+  studio_->window().undo_stack().redo();
+  studio_->click(QStringLiteral("Use ") + frames);
+  EXPECT_EQ(excluded(), 0);
+  ASSERT_TRUE(wait_until([&] { return errors() == first; }, 60000)) << errors().toStdString();
+}
+
+TEST_F(RecordOffer, TheDarkestSpotIsMarkedInItsFrame) {
+  open();
+  auto* page = studio_->window().findChild<RecordPage*>();
+  auto* chooser = page->findChild<FrameChooser*>();
+  record(folder_ / "bend.mkv");
+  ASSERT_TRUE(wait_for_words("Expected error"));
+  // A contact that the program is not sure of, in the frames 10 to 14.
+  ReferenceReport report;
+  report.uses.assign(chooser->strip().uses().size(), FrameUse::kRetained);
+  ReferenceStretch stretch;
+  stretch.first = 10, stretch.last = 14, stretch.darkest = 12;
+  stretch.along_mm = 40, stretch.across_mm = 2, stretch.darker = 0.1;
+  report.stretches = {stretch};
+  chooser->show_report(report);
+  const auto* panel = page->findChild<ImagePanel*>();
+  const auto picture = [&] { return panel->findChild<ImageView*>()->grab().toImage(); };
+  const auto spots = [&] {  // pixels of the mark's colour
+    const QImage image = picture();
+    int found = 0;
+    for (int v = 0; v < image.height(); ++v)
+      for (int u = 0; u < image.width(); ++u) {
+        const QColor c = image.pixelColor(u, v);
+        found += c.red() > 230 && std::abs(c.green() - 184) < 20 && c.blue() < 40;
+      }
+    return found;
+  };
+  ASSERT_EQ(spots(), 0);
+  chooser->show_stretch(0);
+  ASSERT_TRUE(wait_until([&] { return spots() > 100; }, 30000));
+  EXPECT_EQ(chooser->strip().selection()->first, 10);
+  picture().save(QString::fromStdString(std::string(ALLTACT_SCREENS) + "/record_spot.png"));
+  QTest::keyClick(&chooser->strip(), Qt::Key_Right);
+  ASSERT_TRUE(wait_until([&] { return spots() > 50; }, 30000)) << "dashed: not the darkest";
+  studio_->click("Show the live image");
+  EXPECT_TRUE(wait_until([&] { return spots() == 0; }, 30000));
+}
+
+/// The bending finger with a dark spot on its face in some frames, as of something that presses.
+void write_with_spot(const std::filesystem::path& video, int first, int last) {
+  const auto source = open_source({MadeFingers::get().bending()}).value();
+  std::optional<VideoWriter> writer;
+  int number = 0;
+  for (auto frame = source->next(); frame && *frame; frame = source->next(), ++number) {
+    Frame written = **frame;
+    written.jpeg.reset();
+    if (first <= number && number <= last) {
+      written.grey = written.grey.clone();
+      const cv::Point middle(written.grey.cols * 2 / 5, written.grey.rows / 2);
+      cv::Mat spot(written.grey.size(), CV_8UC1, cv::Scalar(0));
+      cv::circle(spot, middle, written.grey.cols / 40, cv::Scalar(255), -1);
+      cv::Mat darker;
+      written.grey.convertTo(darker, -1, 0.75);
+      darker.copyTo(written.grey, spot);
+    }
+    if (!writer) writer = VideoWriter::create(video, written, VideoCodec::kMagicYuv, 30).value();
+    ASSERT_TRUE(writer->add(written));
+  }
+  ASSERT_TRUE(writer && writer->finish());
+}
+
+TEST_F(RecordOffer, AContactIsTickedUntickedAndTakenBack) {
+  open();
+  write_with_spot(folder_ / "spot.mkv", 10, 16);
+  choose(folder_ / "spot.mkv");
+  ASSERT_TRUE(wait_for_words("Expected error"));
+  auto* list = studio_->find<QListWidget>("Frames that were left out, with the reason");
+  const auto* strip = studio_->window().findChild<FrameStrip*>();
+  const auto count = [&](FrameUse use) {
+    return std::count(strip->uses().begin(), strip->uses().end(), use);
+  };
+  ASSERT_EQ(strip->stretches().size(), 1U) << list->count();
+  const auto frames = count(FrameUse::kInContact);
+  ASSERT_GT(frames, 3);
+  EXPECT_EQ(list->item(0)->checkState(), Qt::Unchecked);
+  list->item(0)->setCheckState(Qt::Checked);
+  EXPECT_EQ(count(FrameUse::kInContact), 0) << "at once";
+  EXPECT_FALSE(has_words("Expected error: "));
+  ASSERT_TRUE(wait_for_words("Expected error: "));
+  EXPECT_EQ(count(FrameUse::kInContact), 0);
+  EXPECT_EQ(list->item(0)->checkState(), Qt::Checked);
+  list->item(0)->setCheckState(Qt::Unchecked);
+  EXPECT_EQ(count(FrameUse::kExcluded), frames);
+  ASSERT_TRUE(wait_for_words("Expected error: "));
+  EXPECT_EQ(count(FrameUse::kExcluded), frames);
+  EXPECT_EQ(list->item(0)->checkState(), Qt::Unchecked) << "it stays in the list";
+  studio_->window().undo_stack().undo();
+  ASSERT_TRUE(wait_for_words("Expected error: "));
+  studio_->window().undo_stack().undo();
+  ASSERT_TRUE(wait_for_words("Expected error: "));
+  EXPECT_EQ(count(FrameUse::kInContact), frames) << "as the program judges";
+  EXPECT_EQ(list->item(0)->checkState(), Qt::Unchecked);
+  // Its line shows its darkest frame with the spot.
+  list->setCurrentRow(0);
+  ASSERT_TRUE(strip->selection());
+  EXPECT_EQ(strip->selection()->last - strip->selection()->first + 1, frames);
+  QTest::qWait(1500);
+  studio_->window().resize(1440, 900);
+  QTest::qWait(300);
+  studio_->window().grab().save(
+      QString::fromStdString(std::string(ALLTACT_SCREENS) + "/record_contact.png"));
 }
 
 TEST_F(RecordOffer, AsksWhetherTheSkinIsAnotherOneThanInTheLastReference) {

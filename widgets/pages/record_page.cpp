@@ -52,7 +52,7 @@ std::filesystem::path path_of(const QString& text) {
 
 }  // namespace
 
-RecordPage::RecordPage(LiveSession& session, QWidget* parent)
+RecordPage::RecordPage(LiveSession& session, QUndoStack& undo, QWidget* parent)
     : Page("record", parent),
       session_(session),
       panel_(new ImagePanel(session)),
@@ -83,7 +83,7 @@ RecordPage::RecordPage(LiveSession& session, QWidget* parent)
       step_(new QStackedWidget),
       install_reason_(new ReservedText(kReasonLines)),
       outcome_(new ReservedText(kOutcomeLines)),
-      strip_(new FrameStrip),
+      chooser_(new FrameChooser(*panel_, undo)),
       rejected_(new QListWidget),
       skin_changed_(new QCheckBox),
       rig_box_(new RigCheckBox) {
@@ -91,7 +91,10 @@ RecordPage::RecordPage(LiveSession& session, QWidget* parent)
   layout->addWidget(panel_, 1);
   layout->addWidget(make_side());
   panel_->set_options(only_finger());
-  panel_->set_extra_overlays([this](const LiveView& view) { return ghost(view); });
+  panel_->set_extra_overlays([this](const LiveView& view) {
+    std::vector<Overlay> marks = chooser_->marks(view);
+    return marks.empty() ? ghost(view) : marks;
+  });
   ghost_clock_.start();
   new SpaceKey(*this, [this] {
     if (record_->isEnabled()) start_or_stop();
@@ -108,6 +111,7 @@ void RecordPage::connect_parts() {
   connect(install_, &QPushButton::clicked, this, &RecordPage::install);
   connect(keep_, &QPushButton::clicked, this, [this] {
     deferred_ = std::exchange(recorded_, {});
+    chooser_->show_live_image();
     judge_.forget();
     report_.reset();
     show_status();
@@ -131,11 +135,14 @@ void RecordPage::connect_parts() {
     install_work_.stop();
     show_status();
   });
-  connect(rejected_, &QListWidget::itemChanged, this, &RecordPage::choose_frames);
-  connect(strip_, &FrameStrip::stretch_clicked, this, [this](int index) {
+  connect(rejected_, &QListWidget::itemChanged, this,
+          [this](QListWidgetItem* item) { choose_stretch(rejected_->row(item)); });
+  connect(rejected_, &QListWidget::currentRowChanged, chooser_, &FrameChooser::show_stretch);
+  connect(chooser_, &FrameChooser::stretch_clicked, this, [this](int index) {
+    const QSignalBlocker shown_already(rejected_);
     rejected_->setCurrentRow(index);
-    rejected_->setFocus();
   });
+  connect(chooser_, &FrameChooser::choice_changed, this, &RecordPage::follow_choice);
   connect(skin_changed_, &QCheckBox::toggled, this, &RecordPage::judge_take);
   connect(&judge_, &TakeJudge::changed, this, &RecordPage::follow_judge);
   connect(&install_work_, &BackgroundWork::progressed, this, &RecordPage::show_installing);
@@ -160,7 +167,7 @@ QWidget* RecordPage::make_side() {
   side.column->addWidget(work_);
   make_file_group(*side.column);
   // Last: their heights depend on the recording, and nothing may move.
-  add_widgets(*side.column, {strip_, rejected_});
+  add_widgets(*side.column, {chooser_, rejected_});
   side.column->addStretch();
   return side.root;
 }
@@ -300,7 +307,7 @@ void RecordPage::start_or_stop() {
 void RecordPage::begin_recording() {
   report_.reset();
   stretches_.clear();
-  is_choice_made_ = false;
+  chooser_->show_live_image();
   problem_image_ = {};  // it belonged to the former recording
   installed_.clear();
   deferred_.clear();
@@ -444,10 +451,8 @@ void RecordPage::follow_judge() {
 ReferenceChoices RecordPage::choices() const {
   ReferenceChoices choices;
   choices.rest_pose = rest_pose_;
-  if (is_choice_made_)
-    for (const ReferenceStretch& stretch : stretches_)
-      (stretch.is_retained ? choices.keep : choices.leave_out)
-          .push_back({stretch.first, stretch.last});
+  choices.keep = frames_of(chooser_->choice(), true);
+  choices.leave_out = frames_of(chooser_->choice(), false);
   choices.skin_was_changed = skin_changed_->isChecked();
   return choices;
 }
@@ -497,18 +502,23 @@ const ReferenceReport* RecordPage::shown_report() const {
 
 void RecordPage::list_rejected() {
   const QSignalBlocker no_choice(rejected_);
-  rejected_->clear();
   const ReferenceReport* report = shown_report();
-  strip_->show_report(report != nullptr ? *report : ReferenceReport{});
+  // What was chosen stays in view, so that it can be changed, where nothing can be made of it.
+  if (report == nullptr && !chooser_->choice().empty() && !recorded_.empty()) return;
+  rejected_->clear();
+  chooser_->show_report(report != nullptr ? *report : ReferenceReport{});
   if (report == nullptr) return;
   // The report does not name the stretches that were left out by choice.
   std::vector<ReferenceStretch> stretches = report->stretches;
-  for (const ReferenceStretch& former : stretches_) {
+  for (ReferenceStretch& former : stretches_) {
     const bool is_named =
         std::any_of(stretches.begin(), stretches.end(), [&](const ReferenceStretch& stretch) {
           return stretch.first == former.first && stretch.last == former.last;
         });
-    if (is_choice_made_ && !former.is_retained && !is_named) stretches.push_back(former);
+    const auto chosen = chooser_->choice().find(former.first);
+    if (is_named || chosen == chooser_->choice().end() || chosen->second) continue;
+    former.is_retained = false;
+    stretches.push_back(former);
   }
   stretches_ = std::move(stretches);
   std::set<std::string> listed;
@@ -522,11 +532,21 @@ void RecordPage::list_rejected() {
     if (!listed.contains(reason.english())) rejected_->addItem(in_window_language(reason));
 }
 
-void RecordPage::choose_frames() {
-  for (std::size_t row = 0; row < stretches_.size(); ++row)
-    stretches_[row].is_retained =
-        rejected_->item(static_cast<int>(row))->checkState() == Qt::Checked;
-  is_choice_made_ = true;
+void RecordPage::choose_stretch(int row) {
+  if (row < 0 || static_cast<std::size_t>(row) >= stretches_.size()) return;
+  const ReferenceStretch& stretch = stretches_[static_cast<std::size_t>(row)];
+  chooser_->choose({stretch.first, stretch.last}, rejected_->item(row)->checkState() == Qt::Checked,
+                   true);
+}
+
+void RecordPage::follow_choice() {
+  const auto& choice = chooser_->choice();
+  const QSignalBlocker no_choice(rejected_);
+  for (std::size_t row = 0; row < stretches_.size(); ++row) {
+    const auto chosen = choice.find(stretches_[row].first);
+    const bool is_used = chosen != choice.end() ? chosen->second : stretches_[row].is_retained;
+    rejected_->item(static_cast<int>(row))->setCheckState(is_used ? Qt::Checked : Qt::Unchecked);
+  }
   installed_.clear();  // the choice differs from what is installed
   if (!report_) judge_take();
   show_status();
@@ -592,7 +612,7 @@ void RecordPage::offer(const std::filesystem::path& video, std::optional<RestPos
   recorded_ = video;
   rest_pose_ = std::move(rest_pose);
   stretches_.clear();
-  is_choice_made_ = false;
+  chooser_->begin(session_.status().finger.folder, video);
   deferred_.clear();
   {
     const QSignalBlocker no_judging(skin_changed_);
@@ -690,8 +710,8 @@ void RecordPage::show_offer(const LiveStatus& status) {
 void RecordPage::show_recorded(const LiveStatus& status) {
   work_->setCurrentIndex(recorded_.empty() ? 0 : 1);
   // They stay while a changed choice is judged.
-  const bool has_frames = !recorded_.empty() && strip_->has_frames() && !is_installing();
-  strip_->setVisible(has_frames);
+  const bool has_frames = !recorded_.empty() && chooser_->strip().has_frames() && !is_installing();
+  chooser_->setVisible(has_frames);
   rejected_->setVisible(has_frames && rejected_->count() > 0);
   if (recorded_.empty()) return;
   summary_->setText(take_words(status.recording));
@@ -821,6 +841,7 @@ void RecordPage::add_problems(std::vector<Problem>& problems) {
 void RecordPage::add_recording_problems(const LiveStatus& status, std::vector<Problem>& problems) {
   if (status.recording.problem) problems.push_back(Problem::of(*status.recording.problem));
   if (report_ && !report_->ok()) problems.push_back(Problem::of(report_->error()));
+  if (chooser_->problem()) problems.push_back(Problem::of(*chooser_->problem()));
   const auto note = [&](Meaning meaning, const QString& what, const QString& advice) {
     problems.push_back({meaning, what, advice});
   };

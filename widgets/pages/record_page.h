@@ -17,13 +17,15 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QStackedWidget>
+#include <QUndoStack>
 
 namespace alltact {
 
 class RecordPage : public Page {
   Q_OBJECT
  public:
-  explicit RecordPage(LiveSession& session, QWidget* parent = nullptr);
+  /// `undo`: receives every choice of frames.
+  RecordPage(LiveSession& session, QUndoStack& undo, QWidget* parent = nullptr);
 
   [[nodiscard]] QString title() const override { return tr("Record"); }
   [[nodiscard]] QString menu_text() const override { return tr("&Record"); }
@@ -71,8 +73,9 @@ class RecordPage : public Page {
   /// Of the installation; before it, of the judged recording. nullptr: neither is known.
   [[nodiscard]] const ReferenceReport* shown_report() const;
   void list_rejected();
-  /// Uses the frames with ticked boxes in the next installation.
-  void choose_frames();
+  /// Uses the frames of the stretch in the next installation, if its box is ticked.
+  void choose_stretch(int row);
+  void follow_choice();
   void show_status();
   void show_button(const LiveStatus& status);
   void show_progress(const RecordingStatus& recording);
@@ -110,7 +113,7 @@ class RecordPage : public Page {
   QProgressBar* bar_;
   QStackedWidget* step_;  // install, wait for it, go on
   QLabel *install_reason_, *outcome_;
-  FrameStrip* strip_;
+  FrameChooser* chooser_;
   QListWidget* rejected_;
   QCheckBox* skin_changed_;
   RigCheckBox* rig_box_;
@@ -135,7 +138,6 @@ class RecordPage : public Page {
   std::optional<RestPose> rest_pose_;        // of the recording
   std::weak_ptr<const JudgedTake> listed_;   // the judged recording whose frames are listed
   std::vector<ReferenceStretch> stretches_;  // listed; ticked where retained
-  bool is_choice_made_ = false;              // by the user; else as the program judged
   QImage problem_image_;                     // findings of a failed installation, as an image
   QElapsedTimer since_space_;
 };

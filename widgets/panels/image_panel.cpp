@@ -102,6 +102,7 @@ void ImagePanel::set_options(const ViewOptions& options) {
 void ImagePanel::show_instead(std::shared_ptr<const LiveView> view) {
   instead_ = std::move(view);
   show_frame();
+  show_state();
 }
 
 void ImagePanel::set_title(const QString& title) {

@@ -3,6 +3,8 @@
 
 #include "widgets/theme.h"
 
+#include <QApplication>
+#include <QMouseEvent>
 #include <QSignalSpy>
 #include <QTest>
 
@@ -77,6 +79,69 @@ TEST_F(FrameStripTest, AClickNamesTheStretch) {
   QTest::mouseClick(&strip_, Qt::LeftButton, {}, {2 * 25, 16});
   ASSERT_EQ(clicked.count(), 1);
   EXPECT_EQ(clicked.front().front().toInt(), 0);
+}
+
+TEST_F(FrameStripTest, DraggingSelectsFramesAndAClickShowsOne) {
+  const QSignalSpy shown(&strip_, &FrameStrip::frame_selected);
+  QTest::mouseClick(&strip_, Qt::LeftButton, {}, {2 * 10 + 1, 16});
+  ASSERT_TRUE(strip_.selection());
+  EXPECT_EQ(strip_.selection()->first, 10);
+  EXPECT_EQ(strip_.selection()->last, 10);
+  EXPECT_EQ(shown.back().front().toInt(), 10);
+  const QImage before = strip_.grab().toImage();
+  QTest::mousePress(&strip_, Qt::LeftButton, {}, {2 * 40 + 1, 16});
+  QMouseEvent move(QEvent::MouseMove, QPointF(2 * 30 + 1, 16), QPointF(), Qt::NoButton,
+                   Qt::LeftButton, {});
+  QApplication::sendEvent(&strip_, &move);
+  QTest::mouseRelease(&strip_, Qt::LeftButton, {}, {2 * 30 + 1, 16});
+  EXPECT_EQ(strip_.selection()->first, 30);
+  EXPECT_EQ(strip_.selection()->last, 40);
+  EXPECT_EQ(shown.back().front().toInt(), 30);
+  EXPECT_NE(strip_.grab().toImage(), before) << "the selection is seen";
+}
+
+TEST_F(FrameStripTest, KeysSelectAndLeaveOut) {
+  const QSignalSpy changes(&strip_, &FrameStrip::change_requested);
+  QTest::keyClick(&strip_, Qt::Key_Home);
+  for (int i = 0; i < 3; ++i) QTest::keyClick(&strip_, Qt::Key_Right);
+  for (int i = 0; i < 4; ++i) QTest::keyClick(&strip_, Qt::Key_Right, Qt::ShiftModifier);
+  ASSERT_TRUE(strip_.selection());
+  EXPECT_EQ(strip_.selection()->first, 3);
+  EXPECT_EQ(strip_.selection()->last, 7);
+  QTest::keyClick(&strip_, Qt::Key_Left, Qt::ShiftModifier);
+  EXPECT_EQ(strip_.selection()->last, 6);
+  QTest::keyClick(&strip_, Qt::Key_Delete);
+  EXPECT_EQ(changes.count(), 1);
+  QTest::keyClick(&strip_, Qt::Key_End, Qt::ShiftModifier);
+  EXPECT_EQ(strip_.selection()->last, 99);
+}
+
+TEST_F(FrameStripTest, ATriangleSelectsTheDarkestFrame) {
+  const QSignalSpy shown(&strip_, &FrameStrip::frame_selected);
+  QTest::mouseClick(&strip_, Qt::LeftButton, {}, {2 * 24 + 4, 3});
+  ASSERT_EQ(shown.count(), 1);
+  EXPECT_EQ(shown.front().front().toInt(), 24);
+}
+
+TEST_F(FrameStripTest, ShowsAChoiceOverWhatWasReported) {
+  FrameChoice choice;
+  for (int frame = 8; frame < 12; ++frame) choice[frame] = false;
+  choice[25] = true;
+  choice[95] = true;
+  strip_.show_choice(choice);
+  EXPECT_EQ(words(9), "Frame 9: left out by you");
+  EXPECT_EQ(words(25), "Frame 25: used");
+  EXPECT_EQ(words(26), "frames 20 to 29");
+  EXPECT_EQ(words(50), "Frame 50: used") << "it was left out before, and is not any more";
+  EXPECT_EQ(words(95), "Frame 95: no face or markers") << "it cannot be used";
+  const QColor chosen = colour(9);
+  strip_.show_choice({{50, false}});
+  EXPECT_EQ(chosen, colour(50)) << "as what was left out before";
+  const auto out = frames_of(choice, false), in = frames_of(choice, true);
+  ASSERT_EQ(out.size(), 1U);
+  EXPECT_EQ(out[0].first, 8);
+  EXPECT_EQ(out[0].last, 11);
+  EXPECT_EQ(in.size(), 2U);
 }
 
 }  // namespace
