@@ -1,5 +1,5 @@
 // Readings of a measured face between two positions on it: distance, radius, area, volume, depth,
-// roughness, step and angle, each with its standard deviation.
+// roughness, step, angle and section, each with its standard deviation.
 #pragma once
 
 #include "core/base/message.h"
@@ -24,17 +24,22 @@ struct FacePosition {
 enum class Measurand {
   kDistance = 1,  ///< straight, from A to B
   kRadius,        ///< of the ball whose cap is the deepest part of the box
-  kArea,          ///< deeper than kPressedMm, within the box
+  kArea,          ///< deeper than kLeastDepthMm, within the box
   kVolume,        ///< displaced there
   kMeanDepth,     ///< there
   kRoughness,     ///< root mean square height within the box, by a RoughnessFilter
   kStep,          ///< on the line from A to B
   kAngle,         ///< between the surfaces kAroundPx around A and B
+  // Of the section along the line from A to B (LineSection).
+  kSectionDepth,
+  kSectionWidth,
+  kSectionArea,
 };
-inline constexpr double kPressedMm = 0.05;  ///< smaller depths may be noise
+inline constexpr double kLeastDepthMm = 0.05;  ///< smaller depths may be noise
 inline constexpr int kAroundPx = 6;
 
-/// In files: "distance", "radius", "area", "volume", "mean_depth", "roughness", "step", "angle".
+/// In files: "distance", "radius", "area", "volume", "mean_depth", "roughness", "step", "angle",
+/// "section_depth", "section_width", "section_area".
 [[nodiscard]] std::string_view to_string(Measurand measurand);
 /// In files: "mm", "mm2", "mm3", "deg".
 [[nodiscard]] std::string_view unit_of(Measurand measurand);
@@ -56,6 +61,17 @@ struct MeasuredFace {
   const cv::Mat& sd_mm;     ///< of the depth, as depth_sd_mm() returns it
 };
 
+/// Of a line over the face, where it is deeper than kLeastDepthMm.
+struct LineSection {
+  MeasuredValue depth_mm;  ///< the greatest, along z; of many noisy ones it is above the truth
+  Result<MeasuredValue> width_mm;  ///< along the face, between both sides at half of that depth
+  MeasuredValue area_mm2;          ///< below the untouched skin
+  bool is_lower_bound = false;     ///< depth and area: a point is at a limit
+};
+/// Errors: no point is deeper. Of the width: the line ends before half of the depth; a point is at
+/// a limit.
+[[nodiscard]] Result<LineSection> section_of(const SurfaceLine& line);
+
 /// Reads what lies between two pixels; the patch of the box is extracted once, where it is needed.
 class FaceReader {
  public:
@@ -68,6 +84,8 @@ class FaceReader {
   [[nodiscard]] SurfacePatch patch(const cv::Rect& box) const;
   [[nodiscard]] FaceReading angle() const;
   [[nodiscard]] FaceReading step() const;
+  [[nodiscard]] SurfaceLine line() const;
+  [[nodiscard]] FaceReading section(Measurand measurand) const;
 
   MeasuredFace face_;
   cv::Point2d a_, b_;

@@ -85,6 +85,7 @@ std::vector<std::string> recipe_seeds() {
   recipe.name = "a \"seal\"";
   recipe.readings = {{"depth", Measurand::kStep, {30, -2.5}, {36, 2.5}, 0.45, 0.55, {}},
                      {"1e3", Measurand::kAngle, {0, 0}, {1, 1}, {}, -2.0, {}},
+                     {"cut", Measurand::kSectionArea, {0, 0}, {1, 1}, {}, {}, {}},
                      {"grain", Measurand::kRoughness, {0, 0}, {9, 9}, {}, 0.02, {3, 0.8}}};
   return {recipe.to_yaml()};
 }

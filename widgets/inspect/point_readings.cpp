@@ -507,6 +507,12 @@ QString name_of(Measurand what) {
       return SurfaceBox::tr("Roughness Sq");
     case Measurand::kStep:
       return SurfaceBox::tr("Step from A to B");
+    case Measurand::kSectionDepth:
+      return SurfaceBox::tr("Section's depth");
+    case Measurand::kSectionWidth:
+      return SurfaceBox::tr("Section's width at half depth");
+    case Measurand::kSectionArea:
+      return SurfaceBox::tr("Section's area");
     case Measurand::kAngle:
       break;
   }
@@ -525,6 +531,7 @@ QString filter_text(const RoughnessFilter& filter) {
 QString unit_text(Measurand what) {
   switch (what) {
     case Measurand::kArea:
+    case Measurand::kSectionArea:
       return QStringLiteral("mm²");
     case Measurand::kVolume:
       return QStringLiteral("mm³");

@@ -3,6 +3,7 @@
 #include "tests/support/program.h"
 
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <random>
 
@@ -22,6 +23,9 @@ InspectionRecipe some_recipe() {
                      {"radius, at most", Measurand::kRadius, {20, -3}, {28, 3}, {}, 4.1, {}},
                      {"1.5", Measurand::kAngle, {20, -3}, {28, 3}, -2.0, {}, {}},
                      {"area", Measurand::kArea, {20, -3}, {28, 3}, {}, {}, {}},
+                     {"cut", Measurand::kSectionWidth, {20, -3}, {28, 3}, {}, 1.5, {}},
+                     {"cut's area", Measurand::kSectionArea, {20, -3}, {28, 3}, {}, {}, {}},
+                     {"cut's depth", Measurand::kSectionDepth, {20, -3}, {28, 3}, {}, {}, {}},
                      {"grain", Measurand::kRoughness, {20, -3}, {28, 3}, {}, 0.01, {4, 0.8}}};
   return recipe;
 }
@@ -118,6 +122,81 @@ TEST(Conformity, ErrsInFivePercentAtALimit) {
   }
   EXPECT_NEAR(passed, 0.05 * kReadings, 3.5 * std::sqrt(0.05 * kReadings));
   EXPECT_NEAR(failed, 0.05 * kReadings, 3.5 * std::sqrt(0.05 * kReadings));
+}
+
+constexpr double kPixelMm = 0.05;
+
+/// A line of 121 points over a face that rises along it; `depth_mm` by mm along the line, from -3.
+SurfaceLine line_over(const std::function<double(double)>& depth_mm, double noise_mm,
+                      unsigned seed) {
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> normal;
+  SurfaceLine line;
+  for (int i = -60; i <= 60; ++i) {
+    const double s = kPixelMm * i;
+    SurfacePoint point;
+    point.untouched_mm = {0.8 * s, 0, 60 + 0.6 * s};  // along it: s
+    point.depth_mm = depth_mm(s) + noise_mm * normal(random);
+    point.noise_mm = noise_mm;
+    line.patch.points.push_back(point);
+    line.along_mm.push_back(s + 3);
+  }
+  return line;
+}
+
+double notch(double s) { return std::max(0.0, 0.8 - 0.5 * std::abs(s - 0.3)); }
+
+TEST(LineSection, ANotchHasItsDepthWidthAndArea) {
+  const auto section = section_of(line_over(notch, 0, 1));
+  ASSERT_TRUE(section) << section.error().sentence();
+  EXPECT_NEAR(section->depth_mm.value, 0.8, 1e-12);
+  ASSERT_TRUE(section->width_mm);
+  EXPECT_NEAR(section->width_mm->value, 1.6, 1e-12) << "2 x 0.4 mm / 0.5";
+  // A triangle of 0.8 mm by 3.2 mm without its tips, which are shallower; 0.8 of it across z.
+  const double tips = kLeastDepthMm * kLeastDepthMm / 0.5;
+  EXPECT_NEAR(section->area_mm2.value, 0.8 * (0.8 * 0.8 / 0.5 - tips), 1e-9);
+  EXPECT_FALSE(section->is_lower_bound);
+}
+
+TEST(LineSection, IsAsCertainAsItSays) {
+  constexpr int kRuns = 400;
+  double width = 0, area = 0;
+  const double true_area = section_of(line_over(notch, 0, 1))->area_mm2.value;
+  for (unsigned seed = 0; seed < kRuns; ++seed) {
+    const auto section = section_of(line_over(notch, 0.004, seed));
+    ASSERT_TRUE(section && section->width_mm);
+    width += std::pow((section->width_mm->value - 1.6) / section->width_mm->sd, 2);
+    area += std::pow((section->area_mm2.value - true_area) / section->area_mm2.sd, 2);
+  }
+  EXPECT_GT(width / kRuns, 0.4);
+  EXPECT_LT(width / kRuns, 1.6);
+  EXPECT_NEAR(area / kRuns, 1, 0.35);
+}
+
+/// Depths that are 2 % uncertain as a whole: the width stays, depth and area follow.
+TEST(LineSection, WhatIsCommonToAllDepthsMovesDepthAndAreaOnly) {
+  SurfaceLine line = line_over(notch, 0, 1);
+  for (SurfacePoint& point : line.patch.points) point.common_mm = 0.02 * point.depth_mm;
+  const auto section = section_of(line);
+  ASSERT_TRUE(section && section->width_mm);
+  EXPECT_NEAR(section->depth_mm.sd, 0.016, 1e-9);
+  EXPECT_NEAR(section->area_mm2.sd, 0.02 * section->area_mm2.value, 1e-4);
+  EXPECT_NEAR(section->width_mm->sd, 0, 1e-9);
+}
+
+TEST(LineSection, SaysWhyThereIsNone) {
+  EXPECT_THAT(section_of(line_over([](double) { return 0.01; }, 0, 1)).error().sentence(),
+              HasSubstr("nothing here is deeper than 0.05 mm"));
+  EXPECT_FALSE(section_of(SurfaceLine()));
+  const auto rising = section_of(line_over([](double s) { return 0.2 + 0.1 * (s + 3); }, 0, 1));
+  ASSERT_TRUE(rising);
+  EXPECT_THAT(rising->width_mm.error().sentence(), HasSubstr("the line ends before half"));
+  SurfaceLine line = line_over(notch, 0, 1);
+  line.patch.points[66].is_limit = true;
+  const auto limited = section_of(line);
+  ASSERT_TRUE(limited);
+  EXPECT_TRUE(limited->is_lower_bound);
+  EXPECT_THAT(limited->width_mm.error().sentence(), HasSubstr("limit of the measuring range"));
 }
 
 InspectionLog log_of(const std::vector<std::optional<double>>& values, double sd, bool has_times) {
