@@ -2,10 +2,13 @@
 #include "app/commands/commands.h"
 #include "app/console/command_names.h"
 #include "app/console/flags.h"
+#include "app/figures/figures.h"
 #include "calibration/live/inspect_recording.h"
 #include "core/base/atomic_file.h"
+#include "core/base/utc_time.h"
 
 #include <memory>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -15,6 +18,7 @@ namespace {
 struct InspectCommand {
   InspectionOrder order;
   Path recipe, output;
+  std::optional<Path> report;
 };
 
 Console::Json reading_json(const RecipeReading& reading, const ReadingSummary& summary) {
@@ -58,12 +62,26 @@ void print_log(const InspectionLog& log, Console& console) {
   console.answer()["verdict"] = to_string(log.verdict());
 }
 
+Status write_report(const InspectionLog& log, const InspectionOrder& order, const Path& file,
+                    Console& console) {
+  const auto drawing = load_figures();
+  if (!drawing) return drawing.error();
+  const auto pdf = (*drawing)->inspection_report(log, order, utc_now());
+  if (!pdf) return pdf.error();
+  if (const Status written = write_file_atomically(file, *pdf); !written) return written;
+  console.answer()["report"] = file.string();
+  console.say(fmt::format("Report to sign: {}", file.string()));
+  return {};
+}
+
 /// Error: a reading is outside of its tolerance, or it is not certain that all are inside.
 Status run_inspect(const InspectCommand& command, Console& console) {
   const auto recipe = InspectionRecipe::load(command.recipe);
   if (!recipe) return recipe.error();
   InspectionOrder order = command.order;
   order.recipe = *recipe;
+  if (command.report)  // before the work
+    if (const auto drawing = load_figures(); !drawing) return drawing.error();
   set_opencv_threads(1);  // each thread has frames of its own
   const auto log = inspect_recording(order, console.job());
   if (!log) return log.error();
@@ -73,6 +91,9 @@ Status run_inspect(const InspectCommand& command, Console& console) {
   print_log(*log, console);
   console.answer()["log"] = command.output.string();
   console.say(fmt::format("{} frames; readings in {}", log->rows.size(), command.output.string()));
+  if (command.report)
+    if (const Status reported = write_report(*log, order, *command.report, console); !reported)
+      return reported;
   switch (log->verdict()) {
     case Conformity::kFail:
       return Error{en::say("readings are outside of their tolerance"), command.output, ""};
@@ -107,6 +128,8 @@ void add_inspect(CLI::App& program, Chosen& chosen) {
                    "Table to write: one line for each frame and reading")
       ->type_name("LOG.csv")
       ->required();
+  command->add_option("--report", options->report, "Report to sign to write, with plots")
+      ->type_name("REPORT.pdf");
   command
       ->add_option("--threads", options->order.threads,
                    "Threads (default: all cores); the results do not depend on it")

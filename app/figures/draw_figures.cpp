@@ -1,5 +1,6 @@
 // The library that draws.
 #include "app/figures/figures.h"
+#include "widgets/inspect/inspection_results.h"
 #include "widgets/report/calibration_pages.h"
 #include "widgets/report/experiment_pages.h"
 #include "widgets/report/offscreen.h"
@@ -52,6 +53,11 @@ class DrawnFigures : public Figures {
   Result<std::vector<ReportFile>> experiment_pages(const ExperimentReport& report,
                                                    const std::string& name) const override {
     return offscreen([&] { return make_experiment_pages(report, name); });
+  }
+
+  Result<std::string> inspection_report(const InspectionLog& log, const InspectionOrder& order,
+                                        const std::string& date) const override {
+    return offscreen([&] { return inspection_report_pdf(log, order, date); });
   }
 
   Result<std::vector<ReportFile>> figure_files(const std::string& svg, const std::string& name,

@@ -4,6 +4,7 @@
 
 #include "calibration/experiments/experiments.h"
 #include "calibration/finger/calibrate_finger.h"
+#include "calibration/live/inspect_recording.h"
 #include "core/base/job.h"
 #include "core/base/result.h"
 #include "core/sensing/pipeline.h"
@@ -39,6 +40,11 @@ class Figures {
   /// NAME.html and NAME.pdf (experiment_pages.h). For the main thread.
   [[nodiscard]] virtual Result<std::vector<ReportFile>> experiment_pages(
       const ExperimentReport& report, const std::string& name) const = 0;
+
+  /// PDF to sign (inspection_report_pdf). For the main thread.
+  [[nodiscard]] virtual Result<std::string> inspection_report(const InspectionLog& log,
+                                                              const InspectionOrder& order,
+                                                              const std::string& date) const = 0;
 
   /// NAME.png and NAME.pdf of a figure (offscreen.h). For the main thread.
   [[nodiscard]] virtual Result<std::vector<ReportFile>> figure_files(

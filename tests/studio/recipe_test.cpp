@@ -7,6 +7,9 @@
 #include "widgets/inspect/recipe_box.h"
 #include "widgets/pages/inspect_page.h"
 
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QTabWidget>
 #include <QTableWidget>
 
 #include <gmock/gmock.h>
@@ -91,13 +94,18 @@ TEST_F(Recipe, MadeInTheWindowGivesTheSameBytesAsTheCommandLine) {
   results->save_report(folder / "report.pdf");
   EXPECT_THAT(text_of(folder / "report.pdf"), testing::StartsWith("%PDF"));
   must(page().options().recipe.save(folder / "recipe.yaml"));
-  const ProgramRun run = run_alltact({"inspect", MadeFingers::get().calibrated().string(),
-                                      MadeFingers::get().touched_pictures().string(), "--recipe",
-                                      (folder / "recipe.yaml").string(), "-o",
-                                      (folder / "program.csv").string(), "--threads", "2"});
+  const ProgramRun run =
+      run_alltact({"inspect", MadeFingers::get().calibrated().string(),
+                   MadeFingers::get().touched_pictures().string(), "--recipe",
+                   (folder / "recipe.yaml").string(), "-o", (folder / "program.csv").string(),
+                   "--threads", "2", "--report", (folder / "program.pdf").string()});
   EXPECT_EQ(run.status, 0) << run.errors;
   EXPECT_THAT(run.output, HasSubstr("within their tolerances with 95 % certainty"));
   EXPECT_EQ(text_of(folder / "window.csv"), text_of(folder / "program.csv"));
+  EXPECT_THAT(text_of(folder / "program.pdf"), testing::StartsWith("%PDF"));
+  EXPECT_NEAR(std::filesystem::file_size(folder / "program.pdf"),
+              std::filesystem::file_size(folder / "report.pdf"), 20000)
+      << "the same pages, by another font";
   for (auto* scrolled : studio_.window().findChildren<QScrollArea*>())
     if (scrolled->isAncestorOf(&list())) scrolled->ensureWidgetVisible(&list(), 0, 300);
   ProgramAppearance appearance;
@@ -124,6 +132,48 @@ TEST_F(Recipe, MadeInTheWindowGivesTheSameBytesAsTheCommandLine) {
   EXPECT_EQ(failed.status, 1);
   EXPECT_THAT(failed.errors, HasSubstr("outside of their tolerance"));
   EXPECT_THAT(text_of(folder / "tight.csv"), HasSubstr(",fail,"));
+}
+
+TEST_F(Recipe, ListsAllReadingsOfEachFrameAndShowsAFrame) {
+  ASSERT_TRUE(choose_points());
+  const QTableWidget& between = *studio_.find<QTableWidget>("Measured between the points");
+  EXPECT_EQ(between.item(9, 0)->text(), "Section's width at half depth");
+  add(8);  // the section's depth
+  add(10);
+  studio_.click("Inspect all frames…");
+  auto* results = studio_.window().findChild<InspectionResults*>();
+  ASSERT_NE(results, nullptr);
+  ASSERT_TRUE(wait_until([&] { return results->log() != nullptr; }, 60000));
+  for (const InspectedRow& row : results->log()->rows)
+    for (const InspectedReading& one : row.readings)
+      EXPECT_TRUE(one.reading.measured) << one.reading.reason.english();
+  results->findChild<QTabWidget*>()->setCurrentIndex(1);
+  auto& frames = *results->findChild<FrameTable*>();
+  ASSERT_EQ(frames.topLevelItemCount(), 6);
+  EXPECT_EQ(frames.headerItem()->text(2), "Section's depth, mm");
+  frames.sortByColumn(2, Qt::DescendingOrder);
+  const auto value = [&](int row) {
+    return frames.topLevelItem(row)->data(2, Qt::UserRole).toDouble();
+  };
+  for (int row = 1; row < 6; ++row) EXPECT_GE(value(row - 1), value(row));
+  // All are copied where none is selected, in the order that is shown.
+  const QStringList lines = frames.text().split('\n');
+  ASSERT_EQ(lines.size(), 8);
+  EXPECT_EQ(lines[0].section('\t', 0, 2), "Frame\tTime, s\tSection's depth, mm");
+  EXPECT_EQ(lines[1].section('\t', 0, 0), frames.topLevelItem(0)->text(0));
+  results->grab().save(QStringLiteral(ALLTACT_SCREENS "/inspection_frames.png"));
+  frames.sortByColumn(0, Qt::AscendingOrder);
+  frames.setFocus();
+  ASSERT_TRUE(wait_until([&] { return frames.hasFocus(); }));
+  QTest::mouseClick(frames.viewport(), Qt::LeftButton, {},
+                    frames.visualItemRect(frames.topLevelItem(4)).center());
+  EXPECT_TRUE(wait_until([&] {
+    const auto& frame = page().inspection().frame();
+    return frame && frame->number == 4 && !page().inspection().is_busy();
+  }));
+  EXPECT_EQ(frames.text().split('\n').size(), 3) << "the head and the selected one";
+  QTest::keyClick(&frames, Qt::Key_C, Qt::ControlModifier);
+  EXPECT_EQ(QGuiApplication::clipboard()->text(), frames.text());
 }
 
 TEST_F(Recipe, IsPartOfTheSession) {

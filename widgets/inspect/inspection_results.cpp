@@ -10,10 +10,14 @@
 #include "widgets/report/document.h"
 #include "widgets/theme.h"
 
+#include <QClipboard>
+#include <QGuiApplication>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace alltact {
 namespace {
@@ -121,15 +125,102 @@ bool ReadingPlot::draw() {
   return true;
 }
 
+namespace {
+
+/// Sorted by numbers, not by their text.
+class FrameRow : public QTreeWidgetItem {
+ public:
+  using QTreeWidgetItem::QTreeWidgetItem;
+  void set(int column, const QString& text, std::optional<double> value) {
+    setText(column, text);
+    setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
+    setData(column, Qt::UserRole, value.value_or(-std::numeric_limits<double>::infinity()));
+  }
+  bool operator<(const QTreeWidgetItem& other) const override {
+    const int column = treeWidget()->sortColumn();
+    return data(column, Qt::UserRole).toDouble() < other.data(column, Qt::UserRole).toDouble();
+  }
+};
+
+QString cell_text(const FaceReading& reading, int decimals) {
+  if (!reading.measured) return RecipeBox::tr("–");
+  const auto& [value, sd] = *reading.measured;
+  return reading.is_lower_bound ? limit_and_sd(value, sd, decimals)
+                                : number_and_sd(value, sd, decimals);
+}
+
+}  // namespace
+
+FrameTable::FrameTable(QWidget* parent) : RowList(parent) {
+  setSelectionMode(QAbstractItemView::ExtendedSelection);
+  setSortingEnabled(true);
+  sortByColumn(0, Qt::AscendingOrder);
+  connect(this, &QTreeWidget::currentItemChanged, this, [this](const QTreeWidgetItem* row) {
+    if (row != nullptr && hasFocus())
+      Q_EMIT frame_chosen(static_cast<std::size_t>(row->data(0, Qt::UserRole).toDouble()));
+  });
+}
+
+void FrameTable::show_log(const InspectionLog& log) {
+  constexpr int kReadings = 2;  // columns before the readings
+  QStringList head{tr("Frame"), tr("Time, s")};
+  for (const RecipeReading& reading : log.recipe.readings)
+    head << QStringLiteral("%1, %2").arg(QString::fromStdString(reading.name),
+                                         unit_text(reading.what));
+  clear();
+  setColumnCount(static_cast<int>(head.size()));
+  setHeaderLabels(head);
+  setSortingEnabled(false);
+  const QIcon fail(symbol(meaning_symbol(Meaning::kBad), meaning_colour(Meaning::kBad, palette()),
+                          kFailSymbol_px, devicePixelRatioF()));
+  for (const InspectedRow& frame : log.rows) {
+    auto* row = new FrameRow(this);
+    row->set(0, QString::number(frame.index + 1), static_cast<double>(frame.index));
+    row->set(1, number_or_dash(frame.time_s, 3), frame.time_s);
+    for (std::size_t i = 0; i < frame.readings.size(); ++i) {
+      const auto& [reading, decision] = frame.readings[i];
+      const int column = kReadings + static_cast<int>(i);
+      row->set(column, cell_text(reading, decimals_of(log.recipe.readings[i].what)),
+               reading.measured ? std::optional(reading.measured->value) : std::nullopt);
+      row->setToolTip(column, reading.measured ? conformity_text(decision)
+                                               : in_window_language(reading.reason));
+      if (decision == Conformity::kFail) row->setIcon(column, fail);
+    }
+  }
+  setSortingEnabled(true);
+  header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+}
+
+QString FrameTable::text() const {
+  const auto line_of = [this](const QTreeWidgetItem& row) {
+    QStringList cells;
+    for (int column = 0; column < columnCount(); ++column) cells << row.text(column);
+    return cells.join(QLatin1Char('\t'));
+  };
+  QStringList lines{line_of(*headerItem())};
+  const bool is_all = selectedItems().isEmpty();
+  for (int i = 0; i < topLevelItemCount(); ++i)
+    if (is_all || topLevelItem(i)->isSelected()) lines << line_of(*topLevelItem(i));
+  return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
+}
+
+void FrameTable::keyPressEvent(QKeyEvent* event) {
+  if (event->matches(QKeySequence::Copy)) return QGuiApplication::clipboard()->setText(text());
+  RowList::keyPressEvent(event);
+}
+
 InspectionResults::InspectionResults(InspectionOrder order, QWidget* parent)
     : FittedDialog(parent),
       order_(std::move(order)),
       verdict_(new ReservedText(2)),
+      tabs_(new QTabWidget),
       table_(new RowList),
       plot_(new ReadingPlot),
+      frames_(new FrameTable),
       bar_(new QProgressBar),
       problems_(new ProblemList),
       stop_(new QPushButton),
+      copy_(new QPushButton),
       save_table_(new QPushButton),
       save_report_(new QPushButton),
       buttons_(new QDialogButtonBox(QDialogButtonBox::Close)) {
@@ -143,18 +234,27 @@ InspectionResults::InspectionResults(InspectionOrder order, QWidget* parent)
   running->addWidget(stop_);
   add_widgets(*column, {verdict_});
   column->addLayout(running);
-  column->addWidget(table_);
-  column->addWidget(plot_, 1);
+  auto* readings = new QWidget;
+  auto* over_frames = new QVBoxLayout(readings);
+  over_frames->addWidget(table_);
+  over_frames->addWidget(plot_, 1);
+  tabs_->addTab(readings, {});
+  tabs_->addTab(frames_, {});
+  column->addWidget(tabs_, 1);
   column->addWidget(problems_);
   auto* foot = new QHBoxLayout;
-  add_widgets(*foot, {save_table_, save_report_});
+  add_widgets(*foot, {copy_, save_table_, save_report_});
   foot->addStretch();
   foot->addWidget(buttons_);
   column->addLayout(foot);
-  for (QPushButton* button : {save_table_, save_report_, stop_}) button->setAutoDefault(false);
+  for (QPushButton* button : {copy_, save_table_, save_report_, stop_})
+    button->setAutoDefault(false);
   connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
   connect(stop_, &QPushButton::clicked, &work_, &BackgroundWork::stop);
   connect(table_, &QTreeWidget::currentItemChanged, this, &InspectionResults::show_plot);
+  connect(frames_, &FrameTable::frame_chosen, this, &InspectionResults::frame_requested);
+  connect(copy_, &QPushButton::clicked, this,
+          [this] { QGuiApplication::clipboard()->setText(frames_->text()); });
   connect(save_table_, &QPushButton::clicked, this,
           [this] { choose_file(QStringLiteral("csv"), &InspectionResults::save_table); });
   connect(save_report_, &QPushButton::clicked, this,
@@ -179,6 +279,13 @@ InspectionResults::InspectionResults(InspectionOrder order, QWidget* parent)
 
 void InspectionResults::name_parts() {
   setWindowTitle(tr("Inspection"));
+  tabs_->setTabText(0, tr("Readin&gs"));
+  tabs_->setTabText(1, tr("&Frames"));
+  tabs_->setAccessibleName(tr("Results of the inspection"));
+  frames_->setAccessibleName(tr("Readings of each frame"));
+  frames_->setToolTip(tr("A frame that is selected here is shown on the page Inspect."));
+  copy_->setText(tr("C&opy frames"));
+  copy_->setToolTip(tr("Copies the selected frames, or all, for a spreadsheet."));
   table_->setAccessibleName(tr("Readings of all frames"));
   table_->setHeaderLabels({tr("Reading"), tr("Mean"), tr("Spread"), tr("Smallest"), tr("Largest"),
                            tr("Trend"), tr("Pass"), tr("Fail"), tr("Undecided")});
@@ -198,8 +305,10 @@ void InspectionResults::name_parts() {
 void InspectionResults::show_log() {
   for (QWidget* widget : std::initializer_list<QWidget*>{bar_, stop_})
     widget->setVisible(work_.is_running());
-  for (QPushButton* button : {save_table_, save_report_}) button->setEnabled(log_ != nullptr);
+  for (QPushButton* button : {copy_, save_table_, save_report_})
+    button->setEnabled(log_ != nullptr);
   table_->clear();
+  frames_->show_log(log_ ? *log_ : InspectionLog());
   if (!log_) {
     verdict_->setText(work_.is_running() ? tr("The frames are being measured…")
                                          : tr("Nothing was inspected."));

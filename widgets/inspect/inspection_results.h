@@ -1,5 +1,5 @@
-// A recording inspected by a recipe: summary of every reading, its values over the frames, table
-// and report.
+// A recording inspected by a recipe: summary of every reading, its values over the frames, a table
+// of all frames, and a report.
 #pragma once
 
 #include "calibration/live/inspect_recording.h"
@@ -13,6 +13,7 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QTabWidget>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -48,6 +49,24 @@ class ReadingPlot : public Plot {
 
 // The dialog, and what it saves.
 
+/// A row a frame and a column a reading; sorted by the column whose head is clicked.
+class FrameTable : public RowList {
+  Q_OBJECT
+ public:
+  explicit FrameTable(QWidget* parent = nullptr);
+  void show_log(const InspectionLog& log);
+  /// The selected rows, or all where none is selected, in the shown order: the head and a line
+  /// each, cells apart by tabs.
+  [[nodiscard]] QString text() const;
+
+ Q_SIGNALS:
+  /// Index of a frame that was clicked, or chosen by keys.
+  void frame_chosen(std::size_t index);
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+};
+
 class InspectionResults : public FittedDialog {
   Q_OBJECT
  public:
@@ -60,6 +79,10 @@ class InspectionResults : public FittedDialog {
   /// A report to sign, in English: PDF.
   void save_report(const std::filesystem::path& file);
 
+ Q_SIGNALS:
+  /// The user asks to see this frame of the recording.
+  void frame_requested(std::size_t index);
+
  private:
   void name_parts();
   void show_log();
@@ -70,11 +93,13 @@ class InspectionResults : public FittedDialog {
 
   const InspectionOrder order_;
   ReservedText* verdict_;
+  QTabWidget* tabs_;
   RowList* table_;
   ReadingPlot* plot_;
+  FrameTable* frames_;
   QProgressBar* bar_;
   ProblemList* problems_;
-  QPushButton *stop_, *save_table_, *save_report_;
+  QPushButton *stop_, *copy_, *save_table_, *save_report_;
   QDialogButtonBox* buttons_;
   std::shared_ptr<const InspectionLog> log_;
   BackgroundWork work_;
