@@ -2285,6 +2285,10 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>steep: position matters</source>
         <translation>steil: Position entscheidend</translation>
     </message>
+    <message>
+        <source>Distance, mm</source>
+        <translation>Abstand, mm</translation>
+    </message>
 </context>
 <context>
     <name>alltact::InspectPage</name>
@@ -2484,6 +2488,10 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>Inspects a folder of images of this finger</source>
         <translation>Wertet einen Ordner von Bildern dieses Fingers aus</translation>
     </message>
+    <message>
+        <source>Distance of the skin from: %1</source>
+        <translation>Abstand der Haut von: %1</translation>
+    </message>
 </context>
 <context>
     <name>alltact::InspectSide</name>
@@ -2627,6 +2635,34 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>Closes this window (Esc)</source>
         <translation>Schließt dieses Fenster (Esc)</translation>
+    </message>
+    <message>
+        <source>Readin&amp;gs</source>
+        <translation>&amp;Messungen</translation>
+    </message>
+    <message>
+        <source>&amp;Frames</source>
+        <translation>&amp;Bilder</translation>
+    </message>
+    <message>
+        <source>Results of the inspection</source>
+        <translation>Ergebnisse der Auswertung</translation>
+    </message>
+    <message>
+        <source>Readings of each frame</source>
+        <translation>Messungen jedes Bilds</translation>
+    </message>
+    <message>
+        <source>A frame that is selected here is shown on the page Inspect.</source>
+        <translation>Ein hier gewähltes Bild wird auf der Seite Auswerten gezeigt.</translation>
+    </message>
+    <message>
+        <source>C&amp;opy frames</source>
+        <translation>Bilder k&amp;opieren</translation>
+    </message>
+    <message>
+        <source>Copies the selected frames, or all, for a spreadsheet.</source>
+        <translation>Kopiert die gewählten Bilder, oder alle, für eine Tabellenkalkulation.</translation>
     </message>
 </context>
 <context>
@@ -6040,6 +6076,18 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>Closes this window without a change (Esc)</source>
         <translation>Schließt dieses Fenster ohne Änderung (Esc)</translation>
     </message>
+    <message>
+        <source>Finger to compare with</source>
+        <translation>Finger zum Vergleich</translation>
+    </message>
+    <message>
+        <source>Another finger of the same shape, with its recording. Each is measured by its own calibration; the same positions on both faces are compared.</source>
+        <translation>Ein anderer Finger derselben Form mit seiner Aufnahme. Jeder wird mit seiner eigenen Kalibrierung gemessen; verglichen werden dieselben Stellen beider Flächen.</translation>
+    </message>
+    <message>
+        <source>&amp;Compare</source>
+        <translation>&amp;Vergleichen</translation>
+    </message>
 </context>
 <context>
     <name>alltact::SectionPlot</name>
@@ -6576,6 +6624,18 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>Puts the readings on the clipboard for a spreadsheet</source>
         <translation>Legt die Messwerte für eine Tabelle in die Zwischenablage</translation>
     </message>
+    <message>
+        <source>Section&apos;s depth</source>
+        <translation>Tiefe des Schnitts</translation>
+    </message>
+    <message>
+        <source>Section&apos;s width at half depth</source>
+        <translation>Breite des Schnitts auf halber Tiefe</translation>
+    </message>
+    <message>
+        <source>Section&apos;s area</source>
+        <translation>Fläche des Schnitts</translation>
+    </message>
 </context>
 <context>
     <name>alltact::TimeLine</name>
@@ -7102,10 +7162,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>einem Körper (STL, OBJ)</translation>
     </message>
     <message>
-        <source>The paper&apos;s formulas or another setting measure the same frame again. With another frame or recording, the same positions on the face are compared. A body is turned and shifted until it fits the deeper part of the largest contact; the difference shows where the skin does not follow it.</source>
-        <translation>Die Formeln der Quellarbeit oder eine andere Einstellung messen dasselbe Bild erneut. Mit einem anderen Bild oder einer anderen Aufnahme werden dieselben Positionen der Fläche verglichen. Ein Körper wird gedreht und verschoben, bis er zum tieferen Teil des größten Kontakts passt; der Unterschied zeigt, wo die Haut ihm nicht folgt.</translation>
-    </message>
-    <message>
         <source>frame %1 of %2</source>
         <translation>Bild %1 von %2</translation>
     </message>
@@ -7176,6 +7232,18 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>The face in 3D, or its depth over the image</source>
         <translation>Die Fläche in 3D, oder ihre Tiefe über dem Bild</translation>
+    </message>
+    <message>
+        <source>another finger</source>
+        <translation>einem anderen Finger</translation>
+    </message>
+    <message>
+        <source>frame %1 of %2, finger %3</source>
+        <translation>Bild %1 von %2, Finger %3</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s formulas or another setting measure the same frame again. With another frame, recording or finger, the same positions on the face are compared. A body is turned and shifted until it fits the deeper part of the largest contact; the difference is then the skin&apos;s distance from the body.</source>
+        <translation>Die Formeln der Veröffentlichung oder eine andere Einstellung messen dasselbe Bild noch einmal. Mit einem anderen Bild, einer anderen Aufnahme oder einem anderen Finger werden dieselben Stellen der Fläche verglichen. Ein Körper wird gedreht und verschoben, bis er zum tieferen Teil des größten Kontakts passt; der Unterschied ist dann der Abstand der Haut vom Körper.</translation>
     </message>
 </context>
 <context>
@@ -16343,6 +16411,30 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>neighbouring frames represent it: the recording is long</source>
         <translation>benachbarte Bilder vertreten es: die Aufnahme ist lang</translation>
     </message>
+    <message>
+        <source>the deepest point is at a limit of the measuring range</source>
+        <translation>die tiefste Stelle liegt an einer Grenze des Messbereichs</translation>
+    </message>
+    <message>
+        <source>a shallower contact</source>
+        <translation>ein flacherer Kontakt</translation>
+    </message>
+    <message>
+        <source>the line ends before half of its greatest depth</source>
+        <translation>die Linie endet vor der Hälfte ihrer größten Tiefe</translation>
+    </message>
+    <message>
+        <source>a line across the entire contact</source>
+        <translation>eine Linie über den ganzen Kontakt</translation>
+    </message>
+    <message>
+        <source>the other finger is not calibrated yet</source>
+        <translation>der andere Finger ist noch nicht kalibriert</translation>
+    </message>
+    <message>
+        <source>calibrating it, or choosing another one</source>
+        <translation>ihn kalibrieren oder einen anderen wählen</translation>
+    </message>
 </context>
 <context>
     <name>alltact::CopyFigure</name>
@@ -16483,6 +16575,68 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>Drag: width of the panel. Double click: as at first.</source>
         <translation>Ziehen: Breite der Leiste. Doppelklick: wie zu Beginn.</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::FrameChooser</name>
+    <message>
+        <source>&amp;Leave out the selected frames</source>
+        <translation>Gewählte Bilder &amp;auslassen</translation>
+    </message>
+    <message>
+        <source>&amp;Leave out %1</source>
+        <translation>%1 &amp;auslassen</translation>
+    </message>
+    <message>
+        <source>&amp;Use %1</source>
+        <translation>%1 &amp;verwenden</translation>
+    </message>
+    <message>
+        <source>leave out %1</source>
+        <translation>%1 auslassen</translation>
+    </message>
+    <message>
+        <source>use %1</source>
+        <translation>%1 verwenden</translation>
+    </message>
+    <message>
+        <source>frame %1</source>
+        <translation>Bild %1</translation>
+    </message>
+    <message>
+        <source>frames %1 to %2</source>
+        <translation>Bilder %1 bis %2</translation>
+    </message>
+    <message>
+        <source>Select frames in the strip: drag, or press Shift and an arrow key.</source>
+        <translation>Wählen Sie Bilder im Streifen: ziehen Sie, oder drücken Sie Umschalt und eine Pfeiltaste.</translation>
+    </message>
+    <message>
+        <source>Show the li&amp;ve image</source>
+        <translation>Li&amp;ve-Bild zeigen</translation>
+    </message>
+    <message>
+        <source>Frame %1 of the recording</source>
+        <translation>Bild %1 der Aufnahme</translation>
+    </message>
+    <message>
+        <source>darkest spot: %1 % darker</source>
+        <translation>dunkelste Stelle: %1 % dunkler</translation>
+    </message>
+    <message>
+        <source>darkest in frame %1</source>
+        <translation>am dunkelsten in Bild %1</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::FrameTable</name>
+    <message>
+        <source>Frame</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Time, s</source>
+        <translation>Zeit, s</translation>
     </message>
 </context>
 </TS>

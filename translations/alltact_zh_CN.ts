@@ -2269,6 +2269,10 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>steep: position matters</source>
         <translation>陡坡：受位置影响大</translation>
     </message>
+    <message>
+        <source>Distance, mm</source>
+        <translation>距离，mm</translation>
+    </message>
 </context>
 <context>
     <name>alltact::InspectPage</name>
@@ -2468,6 +2472,10 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>Inspects a folder of images of this finger</source>
         <translation>检视此手指的图像文件夹</translation>
     </message>
+    <message>
+        <source>Distance of the skin from: %1</source>
+        <translation>皮肤到以下物体的距离：%1</translation>
+    </message>
 </context>
 <context>
     <name>alltact::InspectSide</name>
@@ -2609,6 +2617,34 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>Closes this window (Esc)</source>
         <translation>关闭此窗口（Esc）</translation>
+    </message>
+    <message>
+        <source>Readin&amp;gs</source>
+        <translation>测量项(&amp;G)</translation>
+    </message>
+    <message>
+        <source>&amp;Frames</source>
+        <translation>帧(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Results of the inspection</source>
+        <translation>检测结果</translation>
+    </message>
+    <message>
+        <source>Readings of each frame</source>
+        <translation>每帧的测量项</translation>
+    </message>
+    <message>
+        <source>A frame that is selected here is shown on the page Inspect.</source>
+        <translation>在此选中的帧会显示在“检测”页面上。</translation>
+    </message>
+    <message>
+        <source>C&amp;opy frames</source>
+        <translation>复制各帧(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Copies the selected frames, or all, for a spreadsheet.</source>
+        <translation>复制选中的帧或所有帧，用于电子表格。</translation>
     </message>
 </context>
 <context>
@@ -5998,6 +6034,18 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>Closes this window without a change (Esc)</source>
         <translation>关闭此窗口，不作更改（Esc）</translation>
     </message>
+    <message>
+        <source>Finger to compare with</source>
+        <translation>要比较的手指</translation>
+    </message>
+    <message>
+        <source>Another finger of the same shape, with its recording. Each is measured by its own calibration; the same positions on both faces are compared.</source>
+        <translation>另一个形状相同的手指及其录像。各自用自己的标定测量；比较两个接触面上的相同位置。</translation>
+    </message>
+    <message>
+        <source>&amp;Compare</source>
+        <translation>比较(&amp;C)</translation>
+    </message>
 </context>
 <context>
     <name>alltact::SectionPlot</name>
@@ -6533,6 +6581,18 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>Puts the readings on the clipboard for a spreadsheet</source>
         <translation>把读数复制到剪贴板，供电子表格使用</translation>
     </message>
+    <message>
+        <source>Section&apos;s depth</source>
+        <translation>剖面深度</translation>
+    </message>
+    <message>
+        <source>Section&apos;s width at half depth</source>
+        <translation>剖面半深宽度</translation>
+    </message>
+    <message>
+        <source>Section&apos;s area</source>
+        <translation>剖面面积</translation>
+    </message>
 </context>
 <context>
     <name>alltact::TimeLine</name>
@@ -7056,10 +7116,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>一个物体（STL、OBJ）</translation>
     </message>
     <message>
-        <source>The paper&apos;s formulas or another setting measure the same frame again. With another frame or recording, the same positions on the face are compared. A body is turned and shifted until it fits the deeper part of the largest contact; the difference shows where the skin does not follow it.</source>
-        <translation>用原论文的公式或另一种设置再次测量同一帧。与另一帧或另一段录像比较时，比较接触面上的相同位置。物体会被旋转和平移，直到与最大接触的较深部分吻合；差值显示皮肤在何处不贴合它。</translation>
-    </message>
-    <message>
         <source>frame %1 of %2</source>
         <translation>%2 的第 %1 帧</translation>
     </message>
@@ -7130,6 +7186,18 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>The face in 3D, or its depth over the image</source>
         <translation>三维接触面，或图像上的深度</translation>
+    </message>
+    <message>
+        <source>another finger</source>
+        <translation>另一个手指</translation>
+    </message>
+    <message>
+        <source>frame %1 of %2, finger %3</source>
+        <translation>%2 的第 %1 帧，手指 %3</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s formulas or another setting measure the same frame again. With another frame, recording or finger, the same positions on the face are compared. A body is turned and shifted until it fits the deeper part of the largest contact; the difference is then the skin&apos;s distance from the body.</source>
+        <translation>论文的公式或另一种设置会重新测量同一帧。与另一帧、另一段录像或另一个手指比较时，比较接触面上的相同位置。物体会被旋转和平移，直到与最大接触的较深部分吻合；此时差值为皮肤到物体的距离。</translation>
     </message>
 </context>
 <context>
@@ -16274,6 +16342,30 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>neighbouring frames represent it: the recording is long</source>
         <translation>由相邻帧代表：录像较长</translation>
     </message>
+    <message>
+        <source>the deepest point is at a limit of the measuring range</source>
+        <translation>最深处位于测量范围的极限</translation>
+    </message>
+    <message>
+        <source>a shallower contact</source>
+        <translation>较浅的接触</translation>
+    </message>
+    <message>
+        <source>the line ends before half of its greatest depth</source>
+        <translation>线在其最大深度的一半之前结束</translation>
+    </message>
+    <message>
+        <source>a line across the entire contact</source>
+        <translation>横跨整个接触的线</translation>
+    </message>
+    <message>
+        <source>the other finger is not calibrated yet</source>
+        <translation>另一个手指尚未标定</translation>
+    </message>
+    <message>
+        <source>calibrating it, or choosing another one</source>
+        <translation>标定它，或选择另一个</translation>
+    </message>
 </context>
 <context>
     <name>alltact::CopyFigure</name>
@@ -16414,6 +16506,68 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>Drag: width of the panel. Double click: as at first.</source>
         <translation>拖动：面板宽度。双击：恢复初始宽度。</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::FrameChooser</name>
+    <message>
+        <source>&amp;Leave out the selected frames</source>
+        <translation>舍弃选中的帧(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Leave out %1</source>
+        <translation>舍弃%1(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Use %1</source>
+        <translation>使用%1(&amp;U)</translation>
+    </message>
+    <message>
+        <source>leave out %1</source>
+        <translation>舍弃%1</translation>
+    </message>
+    <message>
+        <source>use %1</source>
+        <translation>使用%1</translation>
+    </message>
+    <message>
+        <source>frame %1</source>
+        <translation>第 %1 帧</translation>
+    </message>
+    <message>
+        <source>frames %1 to %2</source>
+        <translation>第 %1 至 %2 帧</translation>
+    </message>
+    <message>
+        <source>Select frames in the strip: drag, or press Shift and an arrow key.</source>
+        <translation>在条带中选择帧：拖动，或按 Shift 和方向键。</translation>
+    </message>
+    <message>
+        <source>Show the li&amp;ve image</source>
+        <translation>显示实时图像(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Frame %1 of the recording</source>
+        <translation>录像的第 %1 帧</translation>
+    </message>
+    <message>
+        <source>darkest spot: %1 % darker</source>
+        <translation>最暗处：暗 %1 %</translation>
+    </message>
+    <message>
+        <source>darkest in frame %1</source>
+        <translation>第 %1 帧中最暗</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::FrameTable</name>
+    <message>
+        <source>Frame</source>
+        <translation>帧</translation>
+    </message>
+    <message>
+        <source>Time, s</source>
+        <translation>时间，s</translation>
     </message>
 </context>
 </TS>

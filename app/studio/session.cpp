@@ -67,8 +67,8 @@ using Numbers = std::vector<double>;
 const std::vector<std::string> kShownAs{"3d", "height_map"};
 const std::vector<std::string> kComparisons{"none", "side_by_side", "difference"};
 const std::vector<std::string> kStandpoints{"tilted", "camera", "outside", "side"};
-const std::vector<std::string> kComparands{"none",  "paper",     "setting",
-                                           "frame", "recording", "body"};
+const std::vector<std::string> kComparands{"none",      "paper",  "setting", "frame",
+                                           "recording", "finger", "body"};
 
 template <class E>
 std::string word_of(const std::vector<std::string>& words, E value) {
@@ -104,8 +104,10 @@ ComparisonSpec comparand_of(const Json& json) {
   with.value = value_or(json, "value", std::string());
   with.frame = value_or(json, "frame", std::size_t{0});
   with.file = value_or(json, "file", std::string());
+  with.finger = value_or(json, "finger", std::string());
   const bool is_complete = (with.method != OtherMethod::kSetting || !with.setting.empty()) &&
-                           (!needs_file(with.method) || !with.file.empty());
+                           (!needs_file(with.method) || !with.file.empty()) &&
+                           (with.method != OtherMethod::kFinger || !with.finger.empty());
   return is_complete ? with : ComparisonSpec{OtherMethod::kPaper};
 }
 
@@ -155,7 +157,8 @@ Json inspect_to_json(const InspectState& state) {
                   {"setting", options.with.setting},
                   {"value", options.with.value},
                   {"frame", options.with.frame},
-                  {"file", options.with.file.string()}};
+                  {"file", options.with.file.string()},
+                  {"finger", options.with.finger.string()}};
   json["body"] = options.scene.body;
   json["ruler"] = options.scene.ruler;
   json["untouched"] = options.scene.untouched;

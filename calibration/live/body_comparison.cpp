@@ -114,6 +114,36 @@ cv::Mat depths_of(const BodyInPose& body, const cv::Mat& points_mm, const cv::Ma
   return depths;
 }
 
+/// See PosedNominal::distance_mm.
+cv::Mat distances_of(const BodyInPose& body, const FrameResult& result, const cv::Mat& points_mm) {
+  const cv::Mat& depth_mm = result.depth->depth_mm;
+  cv::Mat distances(depth_mm.size(), CV_32FC1, cv::Scalar(kNaN));
+  parallel_for(depth_mm.rows, default_threads(), [&](int first, int last) {
+    Vector3d known = Vector3d::Zero();
+    double known_gap_mm = -1;
+    for (int v = first; v < last; ++v)
+      for (int u = 0; u < depth_mm.cols; ++u) {
+        const auto& at = points_mm.at<cv::Vec3f>(v, u);
+        const Vector3d skin(at[0], at[1], at[2]);
+        const auto local = result.shape->at(u, v);
+        const double below_mm =
+            local ? depth_mm.at<float>(v, u) * std::abs(local->cos_incline) : kNaN;
+        if (!skin.allFinite() || !std::isfinite(below_mm)) continue;
+        // As in depths_of(): the body is farther than the untouched skin.
+        const bool is_far = known_gap_mm - (skin - known).norm() > std::max(below_mm, 0.0);
+        if (!is_far) {
+          known = skin;
+          known_gap_mm = body.gap_mm(skin);
+        }
+        const double distance_mm = is_far             ? below_mm
+                                   : known_gap_mm < 0 ? known_gap_mm
+                                                      : std::min(known_gap_mm, below_mm);
+        distances.at<float>(v, u) = static_cast<float>(distance_mm);
+      }
+  });
+  return distances;
+}
+
 }  // namespace
 
 Result<PosedNominal> pose_nominal(const FrameResult& result, const Face& face,
@@ -145,8 +175,9 @@ Result<PosedNominal> pose_nominal(const FrameResult& result, const Face& face,
   if (!(nominal.rms_mm < kWorstPart * deepest_mm))
     return Error{en::say("the skin is {:.2f} mm off the body in its best pose", nominal.rms_mm), "",
                  en::say("a mesh of the body that presses, in millimetres")};
-  nominal.depth_mm = depths_of({body, posed.camera_from_body, 2.0 * face.layer_mm + deepest_mm},
-                               points_mm, depth_mm);
+  const BodyInPose in_pose{body, posed.camera_from_body, 2.0 * face.layer_mm + deepest_mm};
+  nominal.depth_mm = depths_of(in_pose, points_mm, depth_mm);
+  nominal.distance_mm = distances_of(in_pose, result, points_mm);
   if (job.stop_requested()) return Error{en::say("stopped before the body was compared"), "", ""};
   return nominal;
 }

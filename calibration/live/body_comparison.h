@@ -1,5 +1,5 @@
-// A frame's contact compared with a nominal body: the body's pose that fits the skin best, and how
-// deep it would press in that pose.
+// A frame's contact compared with a nominal body: the body's pose that fits the skin best, how deep
+// it would press in that pose, and how far the skin is from it.
 #pragma once
 
 #include "core/base/job.h"
@@ -19,6 +19,10 @@ struct PosedNominal {
   /// Depth along z to which the body presses in, CV_32FC1: where skin is pressed in, and where it
   /// would be. NaN elsewhere.
   cv::Mat depth_mm;
+  /// Signed distance of the skin from its nominal surface, CV_32FC1: to the nearest point of the
+  /// body, or of the untouched skin where that is nearer. Positive where the skin is deeper, off
+  /// the body; negative where it is inside of the body. NaN without a depth.
+  cv::Mat distance_mm;
 };
 
 /// The pose from the largest contact, where it is deeper than a third of its deepest point; away

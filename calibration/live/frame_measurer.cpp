@@ -91,23 +91,33 @@ Status FrameMeasurer::load_finger(const std::filesystem::path& folder, const Job
   return {};
 }
 
-Status FrameMeasurer::open_other(const ComparisonSpec& other, const Job& job) {
-  if (other_ && other_comparison_ == other) return {};
-  other_.reset();
-  auto pipeline = Result<Pipeline>(Error());
-  if (other.method == OtherMethod::kPaper) {
-    pipeline = paper_pipeline(*finger_, job);
-  } else {
-    PipelineSettings settings = measuring_settings(folder_);
-    for (const auto& setting : pipeline_settings())
-      if (setting.name == other.setting)
-        if (const Status status = setting.set(settings, other.value); !status)
-          return status.error();
-    pipeline = measuring_pipeline(*finger_, settings, job);
+Result<Pipeline> FrameMeasurer::other_pipeline(const ComparisonSpec& other, const Job& job) const {
+  if (other.method == OtherMethod::kPaper) return paper_pipeline(*finger_, job);
+  if (other.method == OtherMethod::kFinger) {
+    const auto finger = FingerStore::of(other.finger)->snapshot();
+    if (!finger) return finger.error();
+    if (!(*finger)->finger.mapping)
+      return Error{en::say("the other finger is not calibrated yet"), other.finger,
+                   en::say("calibrating it, or choosing another one")};
+    return measuring_pipeline(**finger, measuring_settings(other.finger), job);
   }
+  PipelineSettings settings = measuring_settings(folder_);
+  for (const auto& setting : pipeline_settings())
+    if (setting.name == other.setting)
+      if (const Status status = setting.set(settings, other.value); !status) return status.error();
+  return measuring_pipeline(*finger_, settings, job);
+}
+
+Status FrameMeasurer::open_other(const ComparisonSpec& other, const Job& job) {
+  ComparisonSpec what = other;  // whatever it measures
+  what.frame = 0;
+  what.file.clear();
+  if (other_ && other_comparison_ == what) return {};
+  other_.reset();
+  auto pipeline = other_pipeline(other, job);
   if (!pipeline) return pipeline.error();
   other_ = std::move(*pipeline);
-  other_comparison_ = other;
+  other_comparison_ = what;
   return {};
 }
 
@@ -132,13 +142,15 @@ RecordingInfo FrameMeasurer::recording() const {
   return {input_, frames_->count(), frames_->frames_per_s(), times_ns_};
 }
 
-/// Uses the pipeline of all frames, and announces that others follow.
+/// Uses the pipeline of all frames, and announces that others follow; that of another finger for
+/// its frame.
 Result<FrameResult> FrameMeasurer::measure_other_frame(const ComparisonSpec& other,
                                                        const Job& job) {
   if (other_frame_ && other_frame_of_ == other) return *other_frame_;
   other_frame_.reset();
   RecordedFrames* frames = &*frames_;
-  if (other.method == OtherMethod::kRecording) {
+  Pipeline* pipeline = &*first_;
+  if (other.method != OtherMethod::kFrame) {
     if (!other_frames_ || other_input_ != other.file) {
       auto opened = RecordedFrames::open(other.file, job);
       if (!opened) return opened.error();
@@ -147,12 +159,16 @@ Result<FrameResult> FrameMeasurer::measure_other_frame(const ComparisonSpec& oth
     }
     frames = &*other_frames_;
   }
+  if (other.method == OtherMethod::kFinger) {
+    if (const Status status = open_other(other, job); !status) return status.error();
+    pipeline = &*other_;
+  }
   const auto frame_read = frames->frame(std::min(other.frame, frames->count() - 1));
   if (!frame_read) return frame_read.error();
-  first_->forget();
-  auto result = (*first_)(*frame_read);
-  first_->forget();
-  last_.reset();
+  pipeline->forget();
+  auto result = (*pipeline)(*frame_read);
+  pipeline->forget();
+  if (pipeline == &*first_) last_.reset();
   if (!result) return result.error();
   other_frame_of_ = other;
   other_frame_ = std::move(*result);
@@ -185,18 +201,18 @@ void FrameMeasurer::compare_with_body(MeasuredFrame& frame, const std::filesyste
   body_mm.setTo(std::numeric_limits<float>::quiet_NaN(), ~(own_mm == own_mm));
   frame.other = frame.result;
   frame.other->depth->depth_mm = body_mm;
-  frame.difference_mm = difference_of(frame.result, *frame.other);
+  frame.difference_mm = posed->distance_mm;
 }
 
 void FrameMeasurer::compare(MeasuredFrame& frame, const ComparisonSpec& other, bool is_next,
                             const Job& job) {
+  frame.other_face = frame.face;
   if (other.method == OtherMethod::kBody) return compare_with_body(frame, other.file, job);
   if (is_other_frame(other.method)) {
     auto result = measure_other_frame(other, job);
-    if (result)
-      frame.other = std::move(*result);
-    else
-      frame.other_problem = result.error();
+    if (result) frame.other = std::move(*result);
+    if (!result) frame.other_problem = result.error();
+    if (result && other.method == OtherMethod::kFinger) frame.other_face = other_->finger().face;
   } else {
     if (const Status status = open_other(other, job); !status) {
       frame.other_problem = status.error();

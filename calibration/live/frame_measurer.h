@@ -25,20 +25,24 @@ enum class OtherMethod {
   kSetting,    ///< itself, with one setting of the pipeline set to another value
   kFrame,      ///< another frame of the recording, at the same positions on the face
   kRecording,  ///< a frame of another recording, likewise
+  kFinger,     ///< a frame of another finger's recording, measured with that finger, likewise
   kBody,       ///< a nominal body in the pose that fits best (body_comparison.h)
 };
 
 [[nodiscard]] constexpr bool is_other_frame(OtherMethod method) {
-  return method == OtherMethod::kFrame || method == OtherMethod::kRecording;
+  return method == OtherMethod::kFrame || method == OtherMethod::kRecording ||
+         method == OtherMethod::kFinger;
 }
 [[nodiscard]] constexpr bool needs_file(OtherMethod method) {
-  return method == OtherMethod::kRecording || method == OtherMethod::kBody;
+  return method == OtherMethod::kRecording || method == OtherMethod::kFinger ||
+         method == OtherMethod::kBody;
 }
 struct ComparisonSpec {
   OtherMethod method = OtherMethod::kNone;
   std::string setting = {}, value = {};  ///< of pipeline_settings()
-  std::size_t frame = 0;                 ///< kFrame, kRecording: its number
-  std::filesystem::path file = {};       ///< kRecording: a video or folder; kBody: its mesh
+  std::size_t frame = 0;                 ///< of another frame: its number
+  std::filesystem::path file = {};    ///< kRecording, kFinger: a video or folder; kBody: its mesh
+  std::filesystem::path finger = {};  ///< kFinger: the other finger's folder
   bool operator==(const ComparisonSpec&) const = default;
 };
 
@@ -55,9 +59,11 @@ struct MeasuredFrame {
   double smoothing_px = 0;         ///< applied before the mapping
   /// The second measurement, where it succeeded.
   std::optional<FrameResult> other;
+  Face other_face;  ///< of `other`; that of another finger, or the same
   /// Depth minus that of `other`, mm, CV_32FC1, the image's size; NaN where one of them is missing.
   /// Empty where one has no depth. Another frame is compared at the same position on the face,
-  /// which lies in another pixel where the finger has bent since.
+  /// which lies in another pixel where the finger has bent since. kBody: signed distance instead
+  /// (PosedNominal::distance_mm).
   cv::Mat difference_mm;
   std::optional<double> body_rms_mm;  ///< kBody: distance of the skin that lies on it from the body
   /// Why the requested comparison is impossible.
@@ -107,6 +113,7 @@ class FrameMeasurer {
                                                const ComparisonSpec& other, const Job& job);
 
  private:
+  Result<Pipeline> other_pipeline(const ComparisonSpec& other, const Job& job) const;
   Status open_other(const ComparisonSpec& other, const Job& job);
   void compare(MeasuredFrame& frame, const ComparisonSpec& other, bool is_next, const Job& job);
   void compare_with_body(MeasuredFrame& frame, const std::filesystem::path& file, const Job& job);

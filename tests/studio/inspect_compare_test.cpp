@@ -153,6 +153,39 @@ TEST_F(InspectMore, ComparesWithABodyThatIsChosen) {
   EXPECT_NE(place().options().with.method, OtherMethod::kBody);
 }
 
+TEST_F(InspectMore, ComparesWithAnotherFinger) {
+  const TemporaryFolder folder;
+  fs::copy(MadeFingers::get().calibrated(), folder / "other", fs::copy_options::recursive);
+  ASSERT_TRUE(open_pictures());
+  change([](InspectOptions& options) { options.comparison = Comparison::kDifference; });
+  auto* with = studio_.find<QComboBox>("With");
+  ASSERT_NE(with, nullptr);
+  with->setFocus();
+  QTest::keyClick(with, Qt::Key_End);  // a body: it asks for a file
+  auto* files = studio_.window().findChild<QFileDialog*>();
+  ASSERT_NE(files, nullptr);
+  QTest::keyClick(files, Qt::Key_Escape);
+  with->setCurrentIndex(4);
+  Q_EMIT with->activated(4);
+  auto* dialog = studio_.window().findChild<SecondFingerDialog*>();
+  ASSERT_NE(dialog, nullptr);
+  const auto lines = dialog->findChildren<QLineEdit*>();
+  ASSERT_EQ(lines.size(), 2);
+  lines[0]->setText(QString::fromStdString((folder / "other").string()));
+  lines[1]->setText(QString::fromStdString(MadeFingers::get().touched_pictures().string()));
+  dialog->grab().save(QStringLiteral(ALLTACT_SCREENS "/compare_finger.png"));
+  studio_.click("Compare");
+  ASSERT_TRUE(wait_until([&] {
+    return place().options().with.method == OtherMethod::kFinger && frame().other.has_value() &&
+           !place().inspection().is_busy();
+  }));
+  EXPECT_NE(studio_.find<QLabel>("Shown minus: frame 1 of touched, finger other"), nullptr);
+  // The same finger, frame and recording: the same depth.
+  cv::Mat difference = frame().difference_mm.clone();
+  cv::patchNaNs(difference, 0);
+  EXPECT_LT(cv::norm(difference, cv::NORM_INF), 1e-3);
+}
+
 TEST_F(InspectMore, TellsUnderThePointerWhatTheCommandLineWrites) {
   ASSERT_TRUE(open_pictures());
   const TemporaryFolder out;

@@ -39,6 +39,18 @@ TEST(SessionFile, ComesBackAsItWas) {
   EXPECT_EQ(session_to_json(*back), session_to_json(example()));
 }
 
+TEST(SessionFile, HoldsTheFingerThatIsComparedWith) {
+  SessionState state = example();
+  state.inspect.options.with = {OtherMethod::kFinger, {}, {}, 4, "/videos/b.mkv", "/fingers/b"};
+  const auto back = session_from_json(session_to_json(state), "a test");
+  ASSERT_TRUE(back) << back.error().sentence();
+  EXPECT_EQ(back->inspect.options.with, state.inspect.options.with);
+  state.inspect.options.with.finger.clear();
+  EXPECT_EQ(session_from_json(session_to_json(state), "a test")->inspect.options.with.method,
+            OtherMethod::kPaper)
+      << "without a finger there is nothing to compare with";
+}
+
 TEST(SessionFile, WhatIsImpossibleBecomesTheDefault) {
   const auto state = session_from_json(
       R"({"format": "alltact-session/1", "place": "moon", "locked": 7, "source": "x",

@@ -237,7 +237,8 @@ QString PairBox::gap_text() const {
            number(middle.z(), 1));
 }
 
-SecondFingerDialog::SecondFingerDialog(const std::optional<SecondFinger>& now, QWidget* parent)
+SecondFingerDialog::SecondFingerDialog(const std::optional<SecondFinger>& now, QWidget* parent,
+                                       Purpose purpose)
     : FittedDialog(parent),
       intro_(wrapped_label()),
       finger_label_(new QLabel),
@@ -295,11 +296,16 @@ SecondFingerDialog::SecondFingerDialog(const std::optional<SecondFinger>& now, Q
         {finger_->text().trimmed().toStdString(), recording_->text().trimmed().toStdString()});
     accept();
   });
-  say([this] {
-    setWindowTitle(tr("Second finger"));
-    intro_->setText(
-        tr("Another finger of the same gripper, with its recording from the same time. Both are "
-           "shown in the gripper's coordinate frame; their frames are matched by capture time."));
+  say([this, purpose] {
+    const bool is_compared = purpose == Purpose::kComparison;
+    setWindowTitle(is_compared ? tr("Finger to compare with") : tr("Second finger"));
+    intro_->setText(is_compared ? tr("Another finger of the same shape, with its recording. Each "
+                                     "is measured by its own "
+                                     "calibration; the same positions on both faces are compared.")
+                                : tr("Another finger of the same gripper, with its recording from "
+                                     "the same time. Both are "
+                                     "shown in the gripper's coordinate frame; their frames are "
+                                     "matched by capture time."));
     finger_label_->setText(tr("&Finger's folder"));
     recording_label_->setText(tr("&Recording"));
     finger_->setAccessibleName(tr("Finger's folder"));
@@ -311,9 +317,10 @@ SecondFingerDialog::SecondFingerDialog(const std::optional<SecondFinger>& now, Q
     choose_video_->setToolTip(tr("A video that was recorded at the same time"));
     choose_folder_->setText(tr("Images…"));
     choose_folder_->setToolTip(tr("A folder of images that were recorded at the same time"));
-    buttons_->button(QDialogButtonBox::Ok)->setText(tr("&Show it"));
+    buttons_->button(QDialogButtonBox::Ok)->setText(is_compared ? tr("&Compare") : tr("&Show it"));
     buttons_->button(QDialogButtonBox::Ok)
-        ->setToolTip(tr("Opens the second finger next to the first"));
+        ->setToolTip(is_compared ? tr("Shows the difference in depth from this finger")
+                                 : tr("Opens the second finger next to the first"));
     buttons_->button(QDialogButtonBox::Cancel)->setText(tr("Cancel"));
     buttons_->button(QDialogButtonBox::Cancel)
         ->setToolTip(tr("Closes this window without a change (Esc)"));

@@ -119,7 +119,10 @@ class PairBox : public Translated<QGroupBox> {
 class SecondFingerDialog : public FittedDialog {
   Q_OBJECT
  public:
-  explicit SecondFingerDialog(const std::optional<SecondFinger>& now, QWidget* parent = nullptr);
+  /// To be shown in one gripper, or to be compared with.
+  enum class Purpose { kGripper = 1, kComparison };
+  explicit SecondFingerDialog(const std::optional<SecondFinger>& now, QWidget* parent = nullptr,
+                              Purpose purpose = Purpose::kGripper);
 
  Q_SIGNALS:
   void chosen(const alltact::SecondFinger& second);

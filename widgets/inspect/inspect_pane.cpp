@@ -159,7 +159,10 @@ void InspectPane::show_map() {
     overlays.push_back(
         points_overlay(pixel_of(*frames_.first, options_.a), pixel_of(*frames_.first, options_.b)));
     overlays.push_back(
-        colour_bar_overlay(scale, is_difference ? tr("Difference, mm") : tr("Depth, mm"),
+        colour_bar_overlay(scale,
+                           !is_difference               ? tr("Depth, mm")
+                           : frames_.first->body_rms_mm ? tr("Distance, mm")
+                                                        : tr("Difference, mm"),
                            limits.empty() ? std::vector<LegendLine>() : limits_legend(limits)));
   }
   if (!result.depth && result.edges) overlays.push_back(edges_overlay(*result.edges));

@@ -1,6 +1,7 @@
 #include "widgets/inspect/inspect_side.h"
 
 #include "core/sensing/pipeline_settings.h"
+#include "widgets/inspect/finger_pair.h"
 #include "widgets/inspect/inspected_frame.h"
 #include "widgets/scene3d/vtk_view.h"
 #include "widgets/verdict_text.h"
@@ -127,6 +128,10 @@ QString comparand_text(const ComparisonSpec& other) {
     case OtherMethod::kRecording:
       return ViewBox::tr("frame %1 of %2")
           .arg(QLocale().toString(qulonglong{other.frame} + 1), name_of(other.file));
+    case OtherMethod::kFinger:
+      return ViewBox::tr("frame %1 of %2, finger %3")
+          .arg(QLocale().toString(qulonglong{other.frame} + 1), name_of(other.file),
+               name_of(other.finger));
     case OtherMethod::kBody:
       return name_of(other.file);
     case OtherMethod::kPaper:
@@ -153,7 +158,7 @@ ViewBox::ViewBox(QWidget* parent)
   shown_as_->addItems({{}, {}});
   standpoint_->addItems({{}, {}, {}, {}});
   comparison_->addItems({{}, {}, {}});
-  with_->addItems({{}, {}, {}, {}, {}});
+  with_->addItems({{}, {}, {}, {}, {}, {}});
   file_->setObjectName(QStringLiteral("comparand"));
   for (QComboBox* box : {shown_as_, standpoint_, comparison_, with_, setting_}) {
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -219,12 +224,13 @@ ViewBox::ViewBox(QWidget* parent)
     with_->setItemText(1, tr("another setting"));
     with_->setItemText(2, tr("another frame"));
     with_->setItemText(3, tr("another recording"));
-    with_->setItemText(4, tr("a body (STL, OBJ)"));
+    with_->setItemText(4, tr("another finger"));
+    with_->setItemText(5, tr("a body (STL, OBJ)"));
     with_->setToolTip(
         tr("The paper's formulas or another setting measure the same frame again. With another "
-           "frame or recording, the same positions on the face are compared. A body is turned and "
-           "shifted until it fits the deeper part of the largest contact; the difference shows "
-           "where the skin does not follow it."));
+           "frame, recording or finger, the same positions on the face are compared. A body is "
+           "turned and shifted until it fits the deeper part of the largest contact; the "
+           "difference is then the skin's distance from the body."));
     file_->setToolTip(tr("Choose another file. An image stands for all the images in its folder."));
     for (NumberField* box : {top_, difference_top_}) box->setSuffix(tr(" mm"));
     difference_top_->setPrefix(QStringLiteral("± "));
@@ -326,11 +332,8 @@ void ViewBox::connect_comparison() {
     with.method = method_at(index);
     if (needs_file(with.method)) {
       set_options(options_);  // until a file is chosen
-      return ask_for_comparand(with.method, [with, change_with](std::filesystem::path file) {
-        ComparisonSpec chosen = with;
-        chosen.file = std::move(file);
-        change_with(chosen, -1);
-      });
+      return ask_for_comparand(
+          with, [change_with](const ComparisonSpec& chosen) { change_with(chosen, -1); });
     }
     if (with.method == OtherMethod::kSetting && with.setting.empty()) {
       const SettingChoice first = setting_choices().front();
@@ -340,11 +343,8 @@ void ViewBox::connect_comparison() {
     change_with(with, -1);
   });
   connect(file_, &QPushButton::clicked, this, [this, change_with] {
-    ask_for_comparand(options_.with.method, [this, change_with](std::filesystem::path file) {
-      ComparisonSpec with = options_.with;
-      with.file = std::move(file);
-      change_with(with, -1);
-    });
+    ask_for_comparand(options_.with,
+                      [change_with](const ComparisonSpec& chosen) { change_with(chosen, -1); });
   });
   connect(setting_, &QComboBox::activated, this, [this, change_with](int index) {
     const QStringList choice = setting_->itemData(index).toStringList();
@@ -360,16 +360,35 @@ void ViewBox::connect_comparison() {
   });
 }
 
-void ViewBox::ask_for_comparand(OtherMethod method,
-                                const std::function<void(std::filesystem::path)>& use) {
-  if (method == OtherMethod::kBody)
+void ViewBox::ask_for_comparand(const ComparisonSpec& with,
+                                const std::function<void(const ComparisonSpec&)>& use) {
+  const auto use_file = [with, use](const std::filesystem::path& file) {
+    ComparisonSpec chosen = with;
+    chosen.file = file;
+    use(chosen);
+  };
+  if (with.method == OtherMethod::kBody)
     return ask_for_file(this, FilesOf::kMeshes, tr("Body to compare with, in mm"),
                         tr("Meshes (*.stl *.obj *.STL *.OBJ)"),
-                        [use](const QString& file) { use(file.toStdString()); });
+                        [use_file](const QString& file) { use_file(file.toStdString()); });
+  if (with.method == OtherMethod::kFinger) {
+    const bool is_known = !with.finger.empty();
+    auto* dialog = new SecondFingerDialog(
+        is_known ? std::optional(SecondFinger{with.finger, with.file}) : std::nullopt, this,
+        SecondFingerDialog::Purpose::kComparison);
+    connect(dialog, &SecondFingerDialog::chosen, this, [with, use](const SecondFinger& other) {
+      ComparisonSpec chosen = with;
+      chosen.finger = other.finger;
+      chosen.file = other.recording;
+      use(chosen);
+    });
+    return show_dialog(*dialog);
+  }
   ask_for_file(this, FilesOf::kRecordings, tr("Recording to compare with"),
-               video_filter() + QLatin1String(";;") + image_filter(), [use](const QString& chosen) {
-                 std::filesystem::path file = chosen.toStdString();
-                 use(is_image_file(file) ? file.parent_path() : file);
+               video_filter() + QLatin1String(";;") + image_filter(),
+               [use_file](const QString& chosen) {
+                 const std::filesystem::path file = chosen.toStdString();
+                 use_file(is_image_file(file) ? file.parent_path() : file);
                });
 }
 
@@ -401,12 +420,13 @@ void ViewBox::set_options(const InspectOptions& options) {
 void ViewBox::show_rows() {
   const QSignalBlocker quiet(frame_);
   constexpr int kOfAnyRecording = 999'999;  // the last frame stands for those beyond it
-  frame_->setRange(1, options_.with.method == OtherMethod::kRecording
+  frame_->setRange(1, options_.with.method != OtherMethod::kFrame
                           ? kOfAnyRecording
                           : std::max(1, static_cast<int>(frame_count_)));
   frame_->setValue(static_cast<int>(options_.with.frame) + 1);
   set_entry_enabled(*with_, 2, frame_count_ > 0);
   set_entry_enabled(*with_, 3, frame_count_ > 0);
+  set_entry_enabled(*with_, 4, frame_count_ > 0);
   file_->setText(name_of(options_.with.file));
   const bool is_3d = shown_as_->currentIndex() == 0;
   standpoint_->setEnabled(is_3d);

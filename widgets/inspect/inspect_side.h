@@ -47,8 +47,9 @@ class ViewBox : public Translated<QGroupBox> {
   void connect_view();
   void connect_comparison();
   void fill_settings();
-  /// Asks for the file of a comparison; `use` it with the method.
-  void ask_for_comparand(OtherMethod method, const std::function<void(std::filesystem::path)>& use);
+  /// Asks for the file of a comparison, or for another finger and its recording.
+  void ask_for_comparand(const ComparisonSpec& with,
+                         const std::function<void(const ComparisonSpec&)>& use);
   void show_rows();
   [[nodiscard]] QLabel* label_of(const QWidget* widget) const;
 

@@ -282,7 +282,7 @@ std::shared_ptr<const InspectedFrame> Inspector::with_surfaces(MeasuredFrame mea
   }
   frame.surface = face_surface(result, frame.face, grid_.width, grid_.height);
   if (!frame.other || !frame.other->depth || !frame.other->shape || !frame.surface) return shown;
-  frame.other_surface = face_surface(*frame.other, frame.face, grid_.width, grid_.height);
+  frame.other_surface = face_surface(*frame.other, frame.other_face, grid_.width, grid_.height);
   frame.other_depth_mm.create(frame.surface->depth_mm.size(), CV_32FC1);
   for (int j = 0; j < grid_.height; ++j) {
     for (int i = 0; i < grid_.width; ++i) {

@@ -358,7 +358,12 @@ void InspectPage::inspect_all() {
   order.finger = session_.status().finger.folder;
   order.inputs = {options_.recording};
   order.recipe = options_.recipe;
-  show_dialog(*new InspectionResults(std::move(order), this));
+  auto* results = new InspectionResults(std::move(order), this);
+  connect(results, &InspectionResults::frame_requested, this,
+          [this, recording = options_.recording](std::size_t number) {
+            if (options_.recording == recording) inspection_.show_frame(number);
+          });
+  show_dialog(*results);
 }
 
 // Opening and saving files in the page Inspect.
@@ -609,6 +614,9 @@ QString InspectPage::title_of(bool is_second) const {
       other = tr("%1, %2 mm rms off").arg(other, plain_number(*frame->body_rms_mm, 3));
     if (is_second) return tr("Compared with: %1").arg(other);
     const Comparison comparison = options_.shown_comparison();
+    const bool is_distance =
+        comparison == Comparison::kDifference && options_.with.method == OtherMethod::kBody;
+    if (is_distance) return tr("Distance of the skin from: %1").arg(other);
     return comparison == Comparison::kSideBySide   ? tr("Shown")
            : comparison == Comparison::kDifference ? tr("Shown minus: %1").arg(other)
            : inspection_.frame() && inspection_.frame()->bare

@@ -160,6 +160,65 @@ TEST_F(FrameMeasurerTest, ComparesWithAnotherRecording) {
   ASSERT_TRUE(gone.ok() && gone->other_problem);
 }
 
+/// A ball of a larger radius in the pose that fits: on its flank the skin is off by less than the
+/// difference of the depths, which is measured along z.
+TEST_F(FrameMeasurerTest, TheDistanceFromABodyIsThatToItsNearestPoint) {
+  const fs::path file = folder_ / "ball.stl";
+  test::write_stl(file, test::ball(1.3 * FlatSensor::kBallRadiusMm));
+  open();
+  const auto frame = measurer_.measure(2, {OtherMethod::kBody, {}, {}, 0, file}, job_);
+  ASSERT_TRUE(frame.ok());
+  ASSERT_FALSE(frame->other_problem) << frame->other_problem->sentence();
+  const cv::Mat own = frame->result.depth->depth_mm, body = frame->other->depth->depth_mm;
+  int compared = 0;
+  double most = 0;
+  for (int v = 0; v < own.rows; ++v)
+    for (int u = 0; u < own.cols; ++u) {
+      const float distance = frame->difference_mm.at<float>(v, u), depth = own.at<float>(v, u);
+      ASSERT_EQ(std::isfinite(distance), std::isfinite(depth));
+      if (!std::isfinite(depth)) continue;
+      const float apart = depth - body.at<float>(v, u);
+      // Never farther than along z, on the same side.
+      EXPECT_LE(std::abs(distance), std::abs(apart) + 1e-3F) << u << ' ' << v;
+      if (std::abs(apart) > 0.02F) {
+        EXPECT_GT(distance * apart, 0) << u << ' ' << v;
+        ++compared;
+        most = std::max(most, 1.0 - std::abs(distance / apart));
+      }
+    }
+  EXPECT_GT(compared, 200);
+  EXPECT_GT(most, 0.03) << "the flank is inclined";
+}
+
+/// The other finger reads twice the depth: what is compared is what each reads with its own
+/// mapping.
+TEST_F(FrameMeasurerTest, ComparesWithAnotherFingersRecordingByItsOwnCalibration) {
+  const test::TemporaryFolder other;
+  fs::copy(folder_ / "ref.png", other / "ref.png");
+  const fs::path copy = other / "recording";
+  fs::copy(recording_, copy);
+  Finger twice = finger_;
+  twice.mapping->a_mm *= 2;
+  ASSERT_TRUE(twice.save(other.path()).ok());
+  open();
+  const ComparisonSpec with{OtherMethod::kFinger, {}, {}, 1, copy, other.path()};
+  const auto frame = measurer_.measure(1, with, job_);
+  ASSERT_TRUE(frame.ok());
+  ASSERT_FALSE(frame->other_problem) << frame->other_problem->sentence();
+  ASSERT_TRUE(frame->other && frame->other->depth);
+  EXPECT_NEAR(near_the_ball(frame->difference_mm, 3).mean_mm, -depth_of(1), 0.05);
+  EXPECT_NEAR(near_the_ball(measurer_.measure(2, with, job_)->difference_mm, 3).mean_mm,
+              depth_of(2) - 2 * depth_of(1), 0.05);
+  // Its own frames are measured as before.
+  const auto alone = measurer_.measure(1, {}, job_);
+  EXPECT_EQ(cv::norm(alone->result.depth->depth_mm, frame->result.depth->depth_mm, cv::NORM_INF),
+            0);
+  const auto none =
+      measurer_.measure(1, {OtherMethod::kFinger, {}, {}, 1, copy, folder_ / "no finger"}, job_);
+  ASSERT_TRUE(none.ok() && none->other_problem);
+  EXPECT_FALSE(none->other);
+}
+
 TEST_F(FrameMeasurerTest, CompletesALiveFrameAsIfItWereRecorded) {
   open();
   const MeasuredFrame recorded = measurer_.measure(1, {OtherMethod::kPaper}, job_).value();
