@@ -16580,11 +16580,11 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
 <context>
     <name>alltact::FrameChooser</name>
     <message>
-        <source>&amp;Leave out the selected frames</source>
+        <source>Leave &amp;out the selected frames</source>
         <translation>Gewählte Bilder &amp;auslassen</translation>
     </message>
     <message>
-        <source>&amp;Leave out %1</source>
+        <source>Leave &amp;out %1</source>
         <translation>%1 &amp;auslassen</translation>
     </message>
     <message>
@@ -16612,8 +16612,8 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Wählen Sie Bilder im Streifen: ziehen Sie, oder drücken Sie Umschalt und eine Pfeiltaste.</translation>
     </message>
     <message>
-        <source>Show the li&amp;ve image</source>
-        <translation>Li&amp;ve-Bild zeigen</translation>
+        <source>Show the live i&amp;mage</source>
+        <translation>Live-Bild &amp;zeigen</translation>
     </message>
     <message>
         <source>Frame %1 of the recording</source>

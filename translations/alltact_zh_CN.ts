@@ -16511,12 +16511,12 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
 <context>
     <name>alltact::FrameChooser</name>
     <message>
-        <source>&amp;Leave out the selected frames</source>
-        <translation>舍弃选中的帧(&amp;L)</translation>
+        <source>Leave &amp;out the selected frames</source>
+        <translation>舍弃选中的帧(&amp;O)</translation>
     </message>
     <message>
-        <source>&amp;Leave out %1</source>
-        <translation>舍弃%1(&amp;L)</translation>
+        <source>Leave &amp;out %1</source>
+        <translation>舍弃%1(&amp;O)</translation>
     </message>
     <message>
         <source>&amp;Use %1</source>
@@ -16543,8 +16543,8 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>在条带中选择帧：拖动，或按 Shift 和方向键。</translation>
     </message>
     <message>
-        <source>Show the li&amp;ve image</source>
-        <translation>显示实时图像(&amp;V)</translation>
+        <source>Show the live i&amp;mage</source>
+        <translation>显示实时图像(&amp;M)</translation>
     </message>
     <message>
         <source>Frame %1 of the recording</source>

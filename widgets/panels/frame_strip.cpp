@@ -426,15 +426,15 @@ FrameChooser::~FrameChooser() = default;
 
 void FrameChooser::name_parts() {
   const auto frames = strip_->selection();
-  change_->setText(!frames             ? tr("&Leave out the selected frames")
-                   : are_used(*frames) ? tr("&Leave out %1").arg(range_text(*frames))
+  change_->setText(!frames             ? tr("Leave &out the selected frames")
+                   : are_used(*frames) ? tr("Leave &out %1").arg(range_text(*frames))
                                        : tr("&Use %1").arg(range_text(*frames)));
   change_->setToolTip(tr("Select frames in the strip: drag, or press Shift and an arrow key."));
   const auto& uses = strip_->uses();
   change_->setEnabled(frames &&
                       std::any_of(uses.begin() + frames->first, uses.begin() + frames->last + 1,
                                   [](FrameUse use) { return use != FrameUse::kUnusable; }));
-  live_->setText(tr("Show the li&ve image"));
+  live_->setText(tr("Show the live i&mage"));
   live_->setEnabled(shown_frame_ >= 0);
 }
 
