@@ -163,13 +163,16 @@ TEST_F(Recipe, ListsAllReadingsOfEachFrameAndShowsAFrame) {
   EXPECT_EQ(lines[1].section('\t', 0, 0), frames.topLevelItem(0)->text(0));
   results->grab().save(QStringLiteral(ALLTACT_SCREENS "/inspection_frames.png"));
   frames.sortByColumn(0, Qt::AscendingOrder);
-  frames.setFocus();
-  ASSERT_TRUE(wait_until([&] { return frames.hasFocus(); }));
   QTest::mouseClick(frames.viewport(), Qt::LeftButton, {},
                     frames.visualItemRect(frames.topLevelItem(4)).center());
   EXPECT_TRUE(wait_until([&] {
     const auto& frame = page().inspection().frame();
     return frame && frame->number == 4 && !page().inspection().is_busy();
+  }));
+  QTest::keyClick(&frames, Qt::Key_Up);
+  EXPECT_TRUE(wait_until([&] {
+    const auto& frame = page().inspection().frame();
+    return frame && frame->number == 3 && !page().inspection().is_busy();
   }));
   EXPECT_EQ(frames.text().split('\n').size(), 3) << "the head and the selected one";
   QTest::keyClick(&frames, Qt::Key_C, Qt::ControlModifier);

@@ -182,15 +182,20 @@ TEST_F(RecordOffer, TheDarkestSpotIsMarkedInItsFrame) {
   EXPECT_TRUE(wait_until([&] { return spots() == 0; }, 30000));
 }
 
-/// The bending finger with a dark spot on its face in some frames, as of something that presses.
-void write_with_spot(const std::filesystem::path& video, int first, int last) {
+/// The bending finger there and back, with a dark spot on its face in some frames on the way back,
+/// as of something that presses. Every pose is shown without it, too.
+void write_with_spot(const std::filesystem::path& video, std::size_t first, std::size_t last) {
   const auto source = open_source({MadeFingers::get().bending()}).value();
-  std::optional<VideoWriter> writer;
-  int number = 0;
-  for (auto frame = source->next(); frame && *frame; frame = source->next(), ++number) {
-    Frame written = **frame;
+  std::vector<FramePtr> frames;
+  for (auto frame = source->next(); frame && *frame; frame = source->next())
+    frames.push_back(*frame);
+  const std::size_t count = frames.size();
+  for (std::size_t i = 0; i < count; ++i) frames.push_back(frames[count - 1 - i]);
+  auto writer = VideoWriter::create(video, *frames[0], VideoCodec::kMagicYuv, 30).value();
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    Frame written = *frames[i];
     written.jpeg.reset();
-    if (first <= number && number <= last) {
+    if (count + first <= i && i <= count + last) {
       written.grey = written.grey.clone();
       const cv::Point middle(written.grey.cols * 2 / 5, written.grey.rows / 2);
       cv::Mat spot(written.grey.size(), CV_8UC1, cv::Scalar(0));
@@ -199,10 +204,9 @@ void write_with_spot(const std::filesystem::path& video, int first, int last) {
       written.grey.convertTo(darker, -1, 0.75);
       darker.copyTo(written.grey, spot);
     }
-    if (!writer) writer = VideoWriter::create(video, written, VideoCodec::kMagicYuv, 30).value();
-    ASSERT_TRUE(writer->add(written));
+    ASSERT_TRUE(writer.add(written));
   }
-  ASSERT_TRUE(writer && writer->finish());
+  ASSERT_TRUE(writer.finish());
 }
 
 TEST_F(RecordOffer, AContactIsTickedUntickedAndTakenBack) {
@@ -211,6 +215,7 @@ TEST_F(RecordOffer, AContactIsTickedUntickedAndTakenBack) {
   choose(folder_ / "spot.mkv");
   ASSERT_TRUE(wait_for_words("Expected error"));
   auto* list = studio_->find<QListWidget>("Frames that were left out, with the reason");
+  ASSERT_NE(list, nullptr);
   const auto* strip = studio_->window().findChild<FrameStrip*>();
   const auto count = [&](FrameUse use) {
     return std::count(strip->uses().begin(), strip->uses().end(), use);

@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace alltact {
 namespace {
@@ -155,10 +156,16 @@ FrameTable::FrameTable(QWidget* parent) : RowList(parent) {
   setSelectionMode(QAbstractItemView::ExtendedSelection);
   setSortingEnabled(true);
   sortByColumn(0, Qt::AscendingOrder);
-  connect(this, &QTreeWidget::currentItemChanged, this, [this](const QTreeWidgetItem* row) {
-    if (row != nullptr && hasFocus())
-      Q_EMIT frame_chosen(static_cast<std::size_t>(row->data(0, Qt::UserRole).toDouble()));
-  });
+  // The mouse makes a row current before it selects it, keys after; the focus alone selects none.
+  connect(this, &QTreeWidget::currentItemChanged, this, &FrameTable::follow_selection);
+  connect(this, &QTreeWidget::itemSelectionChanged, this, &FrameTable::follow_selection);
+}
+
+void FrameTable::follow_selection() {
+  const QTreeWidgetItem* row = currentItem();
+  if (row == nullptr || !row->isSelected()) return;
+  const auto index = static_cast<std::size_t>(row->data(0, Qt::UserRole).toDouble());
+  if (std::exchange(chosen_, index) != index) Q_EMIT frame_chosen(index);
 }
 
 void FrameTable::show_log(const InspectionLog& log) {

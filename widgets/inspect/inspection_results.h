@@ -65,6 +65,10 @@ class FrameTable : public RowList {
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  void follow_selection();
+  std::optional<std::size_t> chosen_;
 };
 
 class InspectionResults : public FittedDialog {
