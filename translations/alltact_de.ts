@@ -6088,6 +6088,10 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>&amp;Compare</source>
         <translation>&amp;Vergleichen</translation>
     </message>
+    <message>
+        <source>Shows the difference in depth from this finger</source>
+        <translation>Zeigt den Tiefenunterschied zu diesem Finger</translation>
+    </message>
 </context>
 <context>
     <name>alltact::SectionPlot</name>

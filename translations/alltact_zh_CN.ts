@@ -6046,6 +6046,10 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>&amp;Compare</source>
         <translation>比较(&amp;C)</translation>
     </message>
+    <message>
+        <source>Shows the difference in depth from this finger</source>
+        <translation>显示与该手指的深度差</translation>
+    </message>
 </context>
 <context>
     <name>alltact::SectionPlot</name>
