@@ -6633,12 +6633,16 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Tiefe des Schnitts</translation>
     </message>
     <message>
-        <source>Section&apos;s width at half depth</source>
-        <translation>Breite des Schnitts auf halber Tiefe</translation>
-    </message>
-    <message>
         <source>Section&apos;s area</source>
         <translation>Fläche des Schnitts</translation>
+    </message>
+    <message>
+        <source>Section&apos;s width</source>
+        <translation>Breite des Schnitts</translation>
+    </message>
+    <message>
+        <source>At half of its depth</source>
+        <translation>Bei halber Tiefe</translation>
     </message>
 </context>
 <context>

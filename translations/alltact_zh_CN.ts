@@ -6590,12 +6590,16 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>剖面深度</translation>
     </message>
     <message>
-        <source>Section&apos;s width at half depth</source>
-        <translation>剖面半深宽度</translation>
-    </message>
-    <message>
         <source>Section&apos;s area</source>
         <translation>剖面面积</translation>
+    </message>
+    <message>
+        <source>Section&apos;s width</source>
+        <translation>截面宽度</translation>
+    </message>
+    <message>
+        <source>At half of its depth</source>
+        <translation>在一半深度处</translation>
     </message>
 </context>
 <context>

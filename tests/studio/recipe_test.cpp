@@ -137,7 +137,7 @@ TEST_F(Recipe, MadeInTheWindowGivesTheSameBytesAsTheCommandLine) {
 TEST_F(Recipe, ListsAllReadingsOfEachFrameAndShowsAFrame) {
   ASSERT_TRUE(choose_points());
   const QTableWidget& between = *studio_.find<QTableWidget>("Measured between the points");
-  EXPECT_EQ(between.item(9, 0)->text(), "Section's width at half depth");
+  EXPECT_EQ(between.item(9, 0)->text(), "Section's width");
   add(8);  // the section's depth
   add(10);
   studio_.click("Inspect all frames…");

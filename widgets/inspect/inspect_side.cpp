@@ -40,6 +40,13 @@ InspectSide::InspectSide(QWidget* parent)
   measure();
 }
 
+QSize InspectSide::minimumSizeHint() const {
+  QSize hint = QWidget::minimumSizeHint();
+  for (const QWidget* box : std::initializer_list<const QWidget*>{section_group_, surface_})
+    hint = hint.expandedTo({box->minimumSizeHint().width(), 0});
+  return hint;
+}
+
 void InspectSide::set_options(const InspectOptions& options) {
   options_ = options;
   view_->set_options(options);

@@ -81,6 +81,8 @@ class InspectSide : public Translated<QWidget> {
   void show_frame(const std::shared_ptr<const InspectedFrame>& frame);
   void set_frame_count(std::size_t count) { view_->set_frame_count(count); }
   [[nodiscard]] SectionPlot& section() const { return *section_; }
+  /// Wide enough for hidden boxes too: nothing moves aside when they come.
+  [[nodiscard]] QSize minimumSizeHint() const override;
 
  Q_SIGNALS:
   /// As in ViewBox.

@@ -378,12 +378,14 @@ SurfaceBox::SurfaceBox(QWidget* parent)
   form_label_->setBuddy(form_);
   lambda_label_->setBuddy(lambda_);
   column->addLayout(filter);
-  auto* buttons = new QHBoxLayout;
-  buttons->addWidget(add_);
-  buttons->addStretch();
-  buttons->addWidget(copy_text_);
-  buttons->addWidget(copy_);
+  auto* buttons = new QGridLayout;
+  buttons->addWidget(add_, 0, 0, 1, 2);
+  buttons->addWidget(copy_text_, 1, 0);
+  buttons->addWidget(copy_, 1, 1);
   column->addLayout(buttons);
+  for (QWidget* widget : std::initializer_list<QWidget*>{form_label_, form_, lambda_label_, lambda_,
+                                                         add_, copy_text_, copy_})
+    reserve_room(*widget);  // its width is the panel's before there are readings
   connect_parts();
   say([this] { name_parts(); });
 }
@@ -466,6 +468,7 @@ void SurfaceBox::fill() {
     const auto& [what, reading] = readings_[static_cast<std::size_t>(row)];
     auto* name = new QTableWidgetItem(name_of(what));
     if (what == Measurand::kRoughness) name->setToolTip(filter_text(options_.filter));
+    if (what == Measurand::kSectionWidth) name->setToolTip(tr("At half of its depth"));
     auto* value = new QTableWidgetItem(value_text(what, reading));
     if (!reading.measured) value->setToolTip(window_sentence(reading.reason));
     table_->setItem(row, 0, name);
@@ -510,7 +513,7 @@ QString name_of(Measurand what) {
     case Measurand::kSectionDepth:
       return SurfaceBox::tr("Section's depth");
     case Measurand::kSectionWidth:
-      return SurfaceBox::tr("Section's width at half depth");
+      return SurfaceBox::tr("Section's width");
     case Measurand::kSectionArea:
       return SurfaceBox::tr("Section's area");
     case Measurand::kAngle:
