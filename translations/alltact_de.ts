@@ -2492,6 +2492,10 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>Distance of the skin from: %1</source>
         <translation>Abstand der Haut von: %1</translation>
     </message>
+    <message>
+        <source>Folder of recordings</source>
+        <translation>Ordner mit Aufnahmen</translation>
+    </message>
 </context>
 <context>
     <name>alltact::InspectSide</name>
@@ -5375,6 +5379,14 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>Writes the readings to a file, for other recordings and fingers</source>
         <translation>Schreibt die Messwerte in eine Datei, für andere Aufnahmen und Finger</translation>
+    </message>
+    <message>
+        <source>Inspect a folder…</source>
+        <translation>Ordner auswerten…</translation>
+    </message>
+    <message>
+        <source>Measures the recipe in every recording of a folder: one table</source>
+        <translation>Misst das Rezept in jeder Aufnahme eines Ordners: eine Tabelle</translation>
     </message>
 </context>
 <context>
@@ -16443,6 +16455,14 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <source>calibrating it, or choosing another one</source>
         <translation>ihn kalibrieren oder einen anderen wählen</translation>
     </message>
+    <message>
+        <source>there is no recording</source>
+        <translation>es gibt keine Aufnahme</translation>
+    </message>
+    <message>
+        <source>stopped before all recordings were inspected</source>
+        <translation>angehalten, bevor alle Aufnahmen ausgewertet waren</translation>
+    </message>
 </context>
 <context>
     <name>alltact::CopyFigure</name>
@@ -16645,6 +16665,111 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>Time, s</source>
         <translation>Zeit, s</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::RecordingsInspection</name>
+    <message>
+        <source>Save the table</source>
+        <translation>Tabelle speichern</translation>
+    </message>
+    <message>
+        <source>Inspection of a folder</source>
+        <translation>Auswertung eines Ordners</translation>
+    </message>
+    <message>
+        <source>Readings of each recording</source>
+        <translation>Werte jeder Aufnahme</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Aufnahme</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>Spread</source>
+        <translation>Streuung</translation>
+    </message>
+    <message>
+        <source>Smallest</source>
+        <translation>Kleinster</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>Größter</translation>
+    </message>
+    <message>
+        <source>Pass</source>
+        <translation>Bestanden</translation>
+    </message>
+    <message>
+        <source>Fail</source>
+        <translation>Nicht bestanden</translation>
+    </message>
+    <message>
+        <source>Undecided</source>
+        <translation>Unentschieden</translation>
+    </message>
+    <message>
+        <source>Progress of the inspection</source>
+        <translation>Fortschritt der Auswertung</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Anhalten</translation>
+    </message>
+    <message>
+        <source>Ends the inspection without a result</source>
+        <translation>Beendet die Auswertung ohne Ergebnis</translation>
+    </message>
+    <message>
+        <source>Save &amp;table (CSV)…</source>
+        <translation>&amp;Tabelle speichern (CSV)…</translation>
+    </message>
+    <message>
+        <source>The table that alltact inspect --each writes, to the byte</source>
+        <translation>Die Tabelle, die alltact inspect --each schreibt, Byte für Byte</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Schließen</translation>
+    </message>
+    <message>
+        <source>Closes this window (Esc)</source>
+        <translation>Schließt dieses Fenster (Esc)</translation>
+    </message>
+    <message>
+        <source>The recordings are being measured…</source>
+        <translation>Die Aufnahmen werden vermessen…</translation>
+    </message>
+    <message>
+        <source>Nothing was inspected.</source>
+        <translation>Nichts wurde ausgewertet.</translation>
+    </message>
+    <message>
+        <source>Written: %1.</source>
+        <translation>Geschrieben: %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n recording(s) inspected.</source>
+        <translation>
+            <numerusform>%n Aufnahme ausgewertet.</numerusform>
+            <numerusform>%n Aufnahmen ausgewertet.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n recording(s), of which %1 could not be inspected.</source>
+        <translation>
+            <numerusform>%n Aufnahme, davon %1 nicht auswertbar.</numerusform>
+            <numerusform>%n Aufnahmen, davon %1 nicht auswertbar.</numerusform>
+        </translation>
     </message>
 </context>
 </TS>

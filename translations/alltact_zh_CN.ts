@@ -2476,6 +2476,10 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>Distance of the skin from: %1</source>
         <translation>皮肤到以下物体的距离：%1</translation>
     </message>
+    <message>
+        <source>Folder of recordings</source>
+        <translation>录像文件夹</translation>
+    </message>
 </context>
 <context>
     <name>alltact::InspectSide</name>
@@ -5344,6 +5348,14 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>Writes the readings to a file, for other recordings and fingers</source>
         <translation>把读数写入文件，用于其他录像和手指</translation>
+    </message>
+    <message>
+        <source>Inspect a folder…</source>
+        <translation>检视文件夹…</translation>
+    </message>
+    <message>
+        <source>Measures the recipe in every recording of a folder: one table</source>
+        <translation>在文件夹的每个录像中测量该配方：一张表格</translation>
     </message>
 </context>
 <context>
@@ -16374,6 +16386,14 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <source>calibrating it, or choosing another one</source>
         <translation>标定它，或选择另一个</translation>
     </message>
+    <message>
+        <source>there is no recording</source>
+        <translation>没有录像</translation>
+    </message>
+    <message>
+        <source>stopped before all recordings were inspected</source>
+        <translation>在检视完所有录像之前停止</translation>
+    </message>
 </context>
 <context>
     <name>alltact::CopyFigure</name>
@@ -16576,6 +16596,109 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>Time, s</source>
         <translation>时间，s</translation>
+    </message>
+</context>
+<context>
+    <name>alltact::RecordingsInspection</name>
+    <message>
+        <source>Save the table</source>
+        <translation>保存表格</translation>
+    </message>
+    <message>
+        <source>Inspection of a folder</source>
+        <translation>检视文件夹</translation>
+    </message>
+    <message>
+        <source>Readings of each recording</source>
+        <translation>每个录像的读数</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>录像</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>读数</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>平均</translation>
+    </message>
+    <message>
+        <source>Spread</source>
+        <translation>离散</translation>
+    </message>
+    <message>
+        <source>Smallest</source>
+        <translation>最小</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>最大</translation>
+    </message>
+    <message>
+        <source>Pass</source>
+        <translation>合格</translation>
+    </message>
+    <message>
+        <source>Fail</source>
+        <translation>不合格</translation>
+    </message>
+    <message>
+        <source>Undecided</source>
+        <translation>未定</translation>
+    </message>
+    <message>
+        <source>Progress of the inspection</source>
+        <translation>检视进度</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>停止(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Ends the inspection without a result</source>
+        <translation>结束检视，不产生结果</translation>
+    </message>
+    <message>
+        <source>Save &amp;table (CSV)…</source>
+        <translation>保存表格 (CSV)(&amp;T)…</translation>
+    </message>
+    <message>
+        <source>The table that alltact inspect --each writes, to the byte</source>
+        <translation>与 alltact inspect --each 写出的表格逐字节相同</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>关闭(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Closes this window (Esc)</source>
+        <translation>关闭此窗口 (Esc)</translation>
+    </message>
+    <message>
+        <source>The recordings are being measured…</source>
+        <translation>正在测量录像…</translation>
+    </message>
+    <message>
+        <source>Nothing was inspected.</source>
+        <translation>未检视任何内容。</translation>
+    </message>
+    <message>
+        <source>Written: %1.</source>
+        <translation>已写入：%1。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n recording(s) inspected.</source>
+        <translation>
+            <numerusform>已检视 %n 个录像。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n recording(s), of which %1 could not be inspected.</source>
+        <translation>
+            <numerusform>%n 个录像，其中 %1 个无法检视。</numerusform>
+        </translation>
     </message>
 </context>
 </TS>

@@ -19,6 +19,7 @@ struct InspectCommand {
   InspectionOrder order;
   Path recipe, output;
   std::optional<Path> report;
+  bool each = false;
 };
 
 Console::Json reading_json(const RecipeReading& reading, const ReadingSummary& summary) {
@@ -74,6 +75,55 @@ Status write_report(const InspectionLog& log, const InspectionOrder& order, cons
   return {};
 }
 
+/// The error of a verdict that is no pass.
+Status status_of(Conformity verdict, const Path& output) {
+  switch (verdict) {
+    case Conformity::kFail:
+      return Error{en::say("readings are outside of their tolerance"), output, ""};
+    case Conformity::kUndecided:
+    case Conformity::kNotMeasured:
+      return Error{en::say("it is not certain that all readings are within their tolerances"),
+                   output, en::say("a reading with a smaller uncertainty")};
+    case Conformity::kPass:
+    case Conformity::kNoTolerance:
+      break;
+  }
+  return {};
+}
+
+/// Error: a recording could not be inspected, or as status_of() the worst.
+Status run_each(const InspectCommand& command, const InspectionOrder& order, Console& console) {
+  const auto recordings = inspect_recordings(order, console.job());
+  if (!recordings) return recordings.error();
+  if (const Status written = write_file_atomically(command.output, csv_of(*recordings)); !written)
+    return written;
+  Console::Json rows = Console::Json::array();
+  std::size_t failed = 0;
+  Status worst;
+  for (const InspectedRecording& one : *recordings) {
+    const std::string verdict(one.log ? to_string(one.log->verdict()) : "");
+    rows.push_back({{"recording", one.recording.string()}, {"verdict", verdict}});
+    if (!one.log) {
+      ++failed;
+      console.warn(fmt::format("{}: {}", one.recording.string(), one.problem.english()));
+      continue;
+    }
+    console.say(fmt::format("{}: {} frames{}", one.recording.string(), one.log->rows.size(),
+                            verdict.empty() ? "" : ", " + verdict));
+    if (const Status status = status_of(one.log->verdict(), command.output); worst && !status)
+      worst = status;
+  }
+  console.answer()["recordings"] = std::move(rows);
+  console.answer()["log"] = command.output.string();
+  console.say(
+      fmt::format("{} recordings; readings in {}", recordings->size(), command.output.string()));
+  if (failed > 0)
+    return Error{en::count("{} recordings could not be inspected",
+                           "{} recording could not be inspected", failed),
+                 command.output, en::say("the table has the reasons")};
+  return worst;
+}
+
 /// Error: a reading is outside of its tolerance, or it is not certain that all are inside.
 Status run_inspect(const InspectCommand& command, Console& console) {
   const auto recipe = InspectionRecipe::load(command.recipe);
@@ -83,6 +133,7 @@ Status run_inspect(const InspectCommand& command, Console& console) {
   if (command.report)  // before the work
     if (const auto drawing = load_figures(); !drawing) return drawing.error();
   set_opencv_threads(1);  // each thread has frames of its own
+  if (command.each) return run_each(command, order, console);
   const auto log = inspect_recording(order, console.job());
   if (!log) return log.error();
   for (const Message& remark : log->remarks) console.warn(fmt::format("Warning: {}", remark));
@@ -94,20 +145,9 @@ Status run_inspect(const InspectCommand& command, Console& console) {
   if (command.report)
     if (const Status reported = write_report(*log, order, *command.report, console); !reported)
       return reported;
-  switch (log->verdict()) {
-    case Conformity::kFail:
-      return Error{en::say("readings are outside of their tolerance"), command.output, ""};
-    case Conformity::kUndecided:
-    case Conformity::kNotMeasured:
-      return Error{en::say("it is not certain that all readings are within their tolerances"),
-                   command.output, en::say("a reading with a smaller uncertainty")};
-    case Conformity::kPass:
-      console.say("All readings are within their tolerances with 95 % certainty each.");
-      return {};
-    case Conformity::kNoTolerance:
-      break;
-  }
-  return {};
+  if (log->verdict() == Conformity::kPass)
+    console.say("All readings are within their tolerances with 95 % certainty each.");
+  return status_of(log->verdict(), command.output);
 }
 
 }  // namespace
@@ -128,8 +168,14 @@ void add_inspect(CLI::App& program, Chosen& chosen) {
                    "Table to write: one line for each frame and reading")
       ->type_name("LOG.csv")
       ->required();
-  command->add_option("--report", options->report, "Report to sign to write, with plots")
-      ->type_name("REPORT.pdf");
+  auto* report =
+      command->add_option("--report", options->report, "Report to sign to write, with plots")
+          ->type_name("REPORT.pdf");
+  command
+      ->add_flag("--each", options->each,
+                 "Each input is a recording of its own, a folder each video in it; one line for "
+                 "each recording and reading")
+      ->excludes(report);
   command
       ->add_option("--threads", options->order.threads,
                    "Threads (default: all cores); the results do not depend on it")

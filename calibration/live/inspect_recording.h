@@ -7,6 +7,8 @@
 #include "core/inspection/inspection_log.h"
 
 #include <filesystem>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace alltact {
@@ -20,5 +22,23 @@ struct InspectionOrder {
 
 /// Errors: those of opening finger and source, and of inspect().
 [[nodiscard]] Result<InspectionLog> inspect_recording(const InspectionOrder& order, const Job& job);
+
+// Several recordings by one recipe.
+
+struct InspectedRecording {
+  std::filesystem::path recording;
+  std::optional<InspectionLog> log;  ///< empty: it could not be inspected
+  Message problem;                   ///< why
+};
+
+/// Inspects each input as a recording of its own; a folder with videos stands for these, in the
+/// order of their names. One that fails does not end the others. Errors: no input; stopped.
+[[nodiscard]] Result<std::vector<InspectedRecording>> inspect_recordings(
+    const InspectionOrder& order, const Job& job);
+
+/// A line for each recording and reading, or for a recording that could not be inspected:
+///   recording,reading,what,unit,frames,measured,mean,sd,min,max,trend,trend_sd,trend_per,passed,
+///   failed,undecided,problem
+[[nodiscard]] std::string csv_of(const std::vector<InspectedRecording>& recordings);
 
 }  // namespace alltact

@@ -1,6 +1,8 @@
 // An inspection recipe made in the window, its decisions, its table and its report; the command
 // line gives the same bytes.
 #include "app/studio/session.h"
+#include "core/open/open_source.h"
+#include "core/recording/video_file.h"
 #include "tests/studio/studio_rig.h"
 #include "tests/support/program.h"
 #include "widgets/inspect/inspection_results.h"
@@ -177,6 +179,42 @@ TEST_F(Recipe, ListsAllReadingsOfEachFrameAndShowsAFrame) {
   EXPECT_EQ(frames.text().split('\n').size(), 3) << "the head and the selected one";
   QTest::keyClick(&frames, Qt::Key_C, Qt::ControlModifier);
   EXPECT_EQ(QGuiApplication::clipboard()->text(), frames.text());
+}
+
+TEST_F(Recipe, MeasuresTheRecordingsOfAFolderAsTheCommandLineDoes) {
+  ASSERT_TRUE(choose_points());
+  add(0);
+  add(4);
+  const auto recordings = studio_.folder() / "recordings";
+  std::filesystem::create_directory(recordings);
+  std::optional<VideoWriter> writer;
+  const auto source = open_source({MadeFingers::get().touched_pictures()}).value();
+  for (auto frame = source->next(); frame && *frame; frame = source->next()) {
+    if (!writer)
+      writer =
+          VideoWriter::create(recordings / "b.mkv", **frame, VideoCodec::kMagicYuv, 30).value();
+    ASSERT_TRUE(writer->add(**frame).ok());
+  }
+  ASSERT_TRUE(writer->finish().ok());
+  std::filesystem::copy(recordings / "b.mkv", recordings / "c.mkv");
+  must(write_file_atomically(recordings / "a.mkv", "no video"));
+  const auto recipe = studio_.folder() / "recipe.yaml";
+  must(page().options().recipe.save(recipe));
+  RecordingsInspection dialog(
+      {MadeFingers::get().calibrated(), {recordings}, page().options().recipe}, &studio_.window());
+  ASSERT_TRUE(wait_until([&] { return !dialog.recordings().empty(); }, 60000));
+  ASSERT_EQ(dialog.recordings().size(), 3U);
+  EXPECT_FALSE(dialog.recordings()[0].log);
+  const auto* table = dialog.findChild<RowList*>();
+  EXPECT_EQ(table->topLevelItemCount(), 1 + 2 * 2) << "a problem, and two readings of two";
+  dialog.save_table(studio_.folder() / "window.csv");
+  const auto command = studio_.folder() / "command.csv";
+  const ProgramRun ran =
+      run_alltact({"inspect", MadeFingers::get().calibrated().string(), recordings.string(),
+                   "--recipe", recipe.string(), "--each", "-o", command.string()});
+  EXPECT_NE(ran.status, 0) << "one of them is no video";
+  EXPECT_THAT(ran.errors, HasSubstr("a.mkv"));
+  EXPECT_EQ(text_of(command), text_of(studio_.folder() / "window.csv"));
 }
 
 TEST_F(Recipe, IsPartOfTheSession) {

@@ -36,6 +36,8 @@ InspectSide::InspectSide(QWidget* parent)
   connect(surface_, &SurfaceBox::add_requested, recipe_, &RecipeBox::add);
   connect(recipe_, &RecipeBox::changed, this, &InspectSide::changed);
   connect(recipe_, &RecipeBox::run_requested, this, &InspectSide::run_requested);
+  connect(recipe_, &RecipeBox::run_in_folder_requested, this,
+          &InspectSide::run_in_folder_requested);
   say([this] { section_group_->setTitle(tr("Cross-section")); });
   measure();
 }

@@ -88,8 +88,9 @@ class InspectSide : public Translated<QWidget> {
   /// As in ViewBox.
   void changed(const alltact::InspectOptions& options, const alltact::StepWords& what,
                int merge_id);
-  /// The recipe is to be run over the recording.
+  /// As in RecipeBox.
   void run_requested();
+  void run_in_folder_requested();
 
  private:
   void measure();

@@ -376,6 +376,117 @@ void InspectionResults::save_report(const std::filesystem::path& file) {
   show_saved(pdf ? write_file_atomically(file, *pdf) : Status(pdf.error()), file);
 }
 
+RecordingsInspection::RecordingsInspection(InspectionOrder order, QWidget* parent)
+    : FittedDialog(parent),
+      summary_(new ReservedText(2)),
+      table_(new RowList),
+      bar_(new QProgressBar),
+      problems_(new ProblemList),
+      stop_(new QPushButton),
+      save_table_(new QPushButton),
+      buttons_(new QDialogButtonBox(QDialogButtonBox::Close)) {
+  problems_->show_in_full();
+  problems_->setMinimumHeight(kResultProblemsHeight_px);
+  for (QWidget* shown : std::initializer_list<QWidget*>{bar_, stop_}) reserve_room(*shown);
+  auto* column = new QVBoxLayout(this);
+  auto* running = new QHBoxLayout;
+  running->addWidget(bar_, 1);
+  running->addWidget(stop_);
+  column->addWidget(summary_);
+  column->addLayout(running);
+  column->addWidget(table_, 1);
+  column->addWidget(problems_);
+  auto* foot = new QHBoxLayout;
+  foot->addWidget(save_table_);
+  foot->addStretch();
+  foot->addWidget(buttons_);
+  column->addLayout(foot);
+  for (QPushButton* button : {save_table_, stop_}) button->setAutoDefault(false);
+  connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  connect(stop_, &QPushButton::clicked, &work_, &BackgroundWork::stop);
+  connect(save_table_, &QPushButton::clicked, this, [this] {
+    ask_where_to_save(this, FilesOf::kExports, tr("Save the table"), QStringLiteral("csv"), {},
+                      [this](const QString& file) { save_table(file.toStdString()); });
+  });
+  connect(&work_, &BackgroundWork::progressed, this,
+          [this] { bar_->setValue(static_cast<int>(100 * work_.fraction())); });
+  connect(&work_, &BackgroundWork::finished, this, &RecordingsInspection::show_recordings);
+  resize(960, 480);
+  work_.start([this, order = std::move(order)](const Job& job) {
+    auto recordings = inspect_recordings(order, job);
+    return std::function<void()>([this, recordings = std::move(recordings)] {
+      if (!recordings) return problems_->set_problems({Problem::of(recordings.error())});
+      recordings_ = *recordings;
+    });
+  });
+  say([this] { name_parts(); });
+}
+
+void RecordingsInspection::name_parts() {
+  setWindowTitle(tr("Inspection of a folder"));
+  table_->setAccessibleName(tr("Readings of each recording"));
+  table_->setHeaderLabels({tr("Recording"), tr("Reading"), tr("Mean"), tr("Spread"), tr("Smallest"),
+                           tr("Largest"), tr("Pass"), tr("Fail"), tr("Undecided")});
+  bar_->setAccessibleName(tr("Progress of the inspection"));
+  stop_->setText(tr("&Stop"));
+  stop_->setToolTip(tr("Ends the inspection without a result"));
+  save_table_->setText(tr("Save &table (CSV)…"));
+  save_table_->setToolTip(tr("The table that alltact inspect --each writes, to the byte"));
+  buttons_->button(QDialogButtonBox::Close)->setText(tr("&Close"));
+  buttons_->button(QDialogButtonBox::Close)->setToolTip(tr("Closes this window (Esc)"));
+  show_recordings();
+}
+
+void RecordingsInspection::show_recordings() {
+  for (QWidget* widget : std::initializer_list<QWidget*>{bar_, stop_})
+    widget->setVisible(work_.is_running());
+  save_table_->setEnabled(!recordings_.empty());
+  table_->clear();
+  int failed = 0;
+  for (const InspectedRecording& one : recordings_) {
+    const QString name = QString::fromStdString(one.recording.filename().string());
+    if (!one.log) {
+      ++failed;
+      auto* row = table_->add_numbers({name, in_window_language(one.problem)});
+      row->setTextAlignment(1, Qt::AlignLeft | Qt::AlignVCenter);
+      continue;
+    }
+    const auto summaries = one.log->summaries();
+    for (std::size_t i = 0; i < summaries.size(); ++i) {
+      const ReadingSummary& all = summaries[i];
+      const RecipeReading& reading = one.log->recipe.readings[i];
+      const int digits = decimals_of(reading.what);
+      auto* row =
+          table_->add_numbers({name,
+                               QStringLiteral("%1, %2").arg(QString::fromStdString(reading.name),
+                                                            unit_text(reading.what)),
+                               number_or_dash(all.mean, digits), number_or_dash(all.sd, digits),
+                               number_or_dash(all.min, digits), number_or_dash(all.max, digits),
+                               plain_number(static_cast<double>(all.passed), 0),
+                               plain_number(static_cast<double>(all.failed), 0),
+                               plain_number(static_cast<double>(all.undecided), 0)});
+      row->setTextAlignment(1, Qt::AlignLeft | Qt::AlignVCenter);
+    }
+  }
+  table_->fit_columns();
+  const int count = static_cast<int>(recordings_.size());
+  summary_->setText(
+      work_.is_running() ? tr("The recordings are being measured…")
+      : count == 0       ? tr("Nothing was inspected.")
+      : failed == 0
+          ? tr("%n recording(s) inspected.", nullptr, count)
+          : tr("%n recording(s), of which %1 could not be inspected.", nullptr, count).arg(failed));
+}
+
+void RecordingsInspection::save_table(const std::filesystem::path& file) {
+  if (recordings_.empty()) return;
+  const Status saved = write_file_atomically(file, csv_of(recordings_));
+  problems_->set_problems(
+      {saved
+           ? Problem{Meaning::kGood, tr("Written: %1.").arg(QString::fromStdString(file.string()))}
+           : Problem::of(saved.error())});
+}
+
 Result<std::string> inspection_report_pdf(const InspectionLog& log, const InspectionOrder& order,
                                           const std::string& date) {
   const EnglishScope english;

@@ -109,6 +109,31 @@ class InspectionResults : public FittedDialog {
   BackgroundWork work_;
 };
 
+/// Several recordings inspected by one recipe: a row for each recording and reading.
+class RecordingsInspection : public FittedDialog {
+  Q_OBJECT
+ public:
+  /// Starts at once, on a background thread.
+  explicit RecordingsInspection(InspectionOrder order, QWidget* parent = nullptr);
+  /// Empty until it is done.
+  [[nodiscard]] const std::vector<InspectedRecording>& recordings() const { return recordings_; }
+  /// The table that `alltact inspect --each` writes, to the byte.
+  void save_table(const std::filesystem::path& file);
+
+ private:
+  void name_parts();
+  void show_recordings();
+
+  ReservedText* summary_;
+  RowList* table_;
+  QProgressBar* bar_;
+  ProblemList* problems_;
+  QPushButton *stop_, *save_table_;
+  QDialogButtonBox* buttons_;
+  std::vector<InspectedRecording> recordings_;
+  BackgroundWork work_;
+};
+
 /// `date`: UTC, as utc_now() writes it; the same values give the same bytes. Error: it could not be
 /// printed.
 [[nodiscard]] Result<std::string> inspection_report_pdf(const InspectionLog& log,

@@ -73,7 +73,8 @@ RecipeBox::RecipeBox(QWidget* parent)
       remove_(new QPushButton),
       open_(new QPushButton),
       save_(new QPushButton),
-      run_(new QPushButton) {
+      run_(new QPushButton),
+      run_in_folder_(new QPushButton) {
   list_->setColumnCount(kReadingDecision + 1);
   list_->installEventFilter(this);
   auto* column = new QVBoxLayout(this);
@@ -83,7 +84,8 @@ RecipeBox::RecipeBox(QWidget* parent)
   buttons->addWidget(remove_, 0, 1);
   buttons->addWidget(open_, 1, 0);
   buttons->addWidget(save_, 1, 1);
-  buttons->addWidget(run_, 2, 0, 1, 2);
+  buttons->addWidget(run_, 2, 0);
+  buttons->addWidget(run_in_folder_, 2, 1);
   column->addLayout(buttons);
   problems_->show_in_full();
   column->addWidget(problems_);
@@ -99,6 +101,7 @@ void RecipeBox::connect_parts() {
   connect(open_, &QPushButton::clicked, this, &RecipeBox::open);
   connect(save_, &QPushButton::clicked, this, &RecipeBox::save);
   connect(run_, &QPushButton::clicked, this, &RecipeBox::run_requested);
+  connect(run_in_folder_, &QPushButton::clicked, this, &RecipeBox::run_in_folder_requested);
 }
 
 void RecipeBox::name_parts() {
@@ -116,6 +119,8 @@ void RecipeBox::name_parts() {
   open_->setToolTip(tr("Replaces the readings by those of a file"));
   save_->setText(tr("Save recipe…"));
   save_->setToolTip(tr("Writes the readings to a file, for other recordings and fingers"));
+  run_in_folder_->setText(tr("Inspect a folder…"));
+  run_in_folder_->setToolTip(tr("Measures the recipe in every recording of a folder: one table"));
   run_->setText(tr("Inspect all frames…"));
   run_->setToolTip(tr("Measures the recipe in every frame of the recording"));
   fill();
@@ -165,7 +170,8 @@ void RecipeBox::fill() {
     list_->setCurrentItem(list_->topLevelItem(before));
   const bool is_any = !readings.empty();
   hint_->setVisible(!is_any);
-  for (QWidget* widget : std::initializer_list<QWidget*>{list_, change_, remove_, save_, run_})
+  for (QWidget* widget :
+       std::initializer_list<QWidget*>{list_, change_, remove_, save_, run_, run_in_folder_})
     widget->setVisible(is_any);
   constexpr int kLeastRows = 2, kMostRows = 8;
   list_->fit_height(kLeastRows, kMostRows);

@@ -41,8 +41,9 @@ class RecipeBox : public Translated<QGroupBox> {
   /// As in ViewBox.
   void changed(const alltact::InspectOptions& options, const alltact::StepWords& what,
                int merge_id);
-  /// The recipe is to be run over the recording.
+  /// The recipe is to be run over the recording, or over those of a folder.
   void run_requested();
+  void run_in_folder_requested();
 
  protected:
   void changeEvent(QEvent* event) override;
@@ -66,7 +67,7 @@ class RecipeBox : public Translated<QGroupBox> {
   QLabel* hint_;
   RowList* list_;
   ProblemList* problems_;
-  QPushButton *change_, *remove_, *open_, *save_, *run_;
+  QPushButton *change_, *remove_, *open_, *save_, *run_, *run_in_folder_;
 };
 
 /// Name and tolerance of one reading.

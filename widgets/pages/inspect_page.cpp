@@ -123,6 +123,10 @@ void InspectPage::connect_parts() {
   connect(time_line_, &TimeLine::frame_requested, &inspection_, &Inspection::show_frame);
   connect(side_, &InspectSide::changed, this, &InspectPage::change_options);
   connect(side_, &InspectSide::run_requested, this, &InspectPage::inspect_all);
+  connect(side_, &InspectSide::run_in_folder_requested, this, [this] {
+    ask_for_folder(this, FilesOf::kRecordings, tr("Folder of recordings"),
+                   [this](const QString& folder) { inspect_folder(folder.toStdString()); });
+  });
   connect(force_, &ForceBox::zero_requested, this,
           [this](const ForceZero& zero) { take_zero(session_, undo_, zero); });
   connect(force_, &ForceBox::no_zero_requested, this, [this] { drop_zero(session_, undo_); });
@@ -364,6 +368,14 @@ void InspectPage::inspect_all() {
             if (options_.recording == recording) inspection_.show_frame(number);
           });
   show_dialog(*results);
+}
+
+void InspectPage::inspect_folder(const std::filesystem::path& folder) {
+  InspectionOrder order;
+  order.finger = session_.status().finger.folder;
+  order.inputs = {folder};
+  order.recipe = options_.recipe;
+  show_dialog(*new RecordingsInspection(std::move(order), this));
 }
 
 // Opening and saving files in the page Inspect.

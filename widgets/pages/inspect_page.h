@@ -81,6 +81,7 @@ class InspectPage : public Page {
   void choose_second();
   void choose_pose(bool is_second);
   void inspect_all();
+  void inspect_folder(const std::filesystem::path& folder);
   void choose_file(const QString& ending);
   void go_live();
   void follow_live();
