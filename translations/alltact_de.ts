@@ -1322,6 +1322,18 @@
         <source>Due: its untouched image</source>
         <translation>Fällig: sein Bild ohne Berührung</translation>
     </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>Ö&amp;ffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Show in folder</source>
+        <translation>Im Ordner &amp;zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Remove from this list</source>
+        <translation>Aus dieser Liste &amp;entfernen</translation>
+    </message>
 </context>
 <context>
     <name>alltact::FingerListDialog</name>
@@ -2495,6 +2507,18 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>Folder of recordings</source>
         <translation>Ordner mit Aufnahmen</translation>
+    </message>
+    <message>
+        <source>Recordin&amp;gs…</source>
+        <translation>Aufnahmen…</translation>
+    </message>
+    <message>
+        <source>Lists the recordings in this finger&apos;s folder</source>
+        <translation>Zeigt die Aufnahmen im Ordner dieses Fingers</translation>
+    </message>
+    <message>
+        <source>compare with the body %1</source>
+        <translation>Vergleichen mit dem Körper %1</translation>
     </message>
 </context>
 <context>
@@ -5760,6 +5784,59 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
     <message>
         <source>The finger keeps its present reference</source>
         <translation>Der Finger behält seine jetzige Referenz</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>Referenz</translation>
+    </message>
+    <message>
+        <source>Measurement</source>
+        <translation>Messung</translation>
+    </message>
+    <message>
+        <source>What the recording is for</source>
+        <translation>Zweck der Aufnahme</translation>
+    </message>
+    <message>
+        <source>A reference shows the bending finger with nothing on its face; a measurement shows what is to be measured.</source>
+        <translation>Eine Referenz zeigt den sich biegenden Finger mit freier Kontaktfläche, eine Messung das, was gemessen werden soll.</translation>
+    </message>
+    <message>
+        <source>Length of the recording</source>
+        <translation>Dauer der Aufnahme</translation>
+    </message>
+    <message>
+        <source>until stopped</source>
+        <translation>bis zum Anhalten</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>The recording stops by itself after so many seconds; 0: only when it is stopped.</source>
+        <translation>Nach so vielen Sekunden hält die Aufnahme von selbst an; 0: erst, wenn sie angehalten wird.</translation>
+    </message>
+    <message>
+        <source>The video goes into the finger&apos;s folder. It is neither judged nor installed, so the finger may touch anything.</source>
+        <translation>Das Video kommt in den Ordner des Fingers. Es wird weder beurteilt noch eingerichtet; der Finger darf also alles berühren.</translation>
+    </message>
+    <message>
+        <source>Saved. A measurement is neither judged nor installed.</source>
+        <translation>Gespeichert. Eine Messung wird weder beurteilt noch eingerichtet.</translation>
+    </message>
+    <message>
+        <source>It records</source>
+        <translation>Es wird aufgenommen</translation>
+    </message>
+    <message>
+        <source>It does not record</source>
+        <translation>Es wird nicht aufgenommen</translation>
+    </message>
+    <message>
+        <source>for </source>
+        <comment>before a number of seconds</comment>
+        <translation>für </translation>
     </message>
 </context>
 <context>
@@ -16770,6 +16847,85 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
             <numerusform>%n Aufnahme, davon %1 nicht auswertbar.</numerusform>
             <numerusform>%n Aufnahmen, davon %1 nicht auswertbar.</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>alltact::RecordingsDialog</name>
+    <message>
+        <source>Recordings of %1</source>
+        <translation>Aufnahmen von %1</translation>
+    </message>
+    <message>
+        <source>Recordings, newest first</source>
+        <translation>Aufnahmen, die neuesten zuerst</translation>
+    </message>
+    <message>
+        <source>Double click or Return opens a recording; Delete moves it to the trash</source>
+        <translation>Doppelklick oder Eingabetaste öffnet eine Aufnahme, Entf verschiebt sie in den Papierkorb</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>Ö&amp;ffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Show in folder</source>
+        <translation>Im Ordner &amp;zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Move to the trash…</source>
+        <translation>In den &amp;Papierkorb verschieben…</translation>
+    </message>
+    <message>
+        <source>&amp;Move to the trash</source>
+        <translation>In den &amp;Papierkorb verschieben</translation>
+    </message>
+    <message>
+        <source>Move to the trash</source>
+        <translation>In den Papierkorb verschieben</translation>
+    </message>
+    <message>
+        <source>Move %1 to the trash?</source>
+        <translation>%1 in den Papierkorb verschieben?</translation>
+    </message>
+    <message>
+        <source>Opens the selected recording on this page (Return)</source>
+        <translation>Öffnet die gewählte Aufnahme auf dieser Seite (Eingabetaste)</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>S&amp;chließen</translation>
+    </message>
+    <message>
+        <source>Closes this window (Esc)</source>
+        <translation>Schließt dieses Fenster (Esc)</translation>
+    </message>
+    <message>
+        <source>The folder is being read.</source>
+        <translation>Der Ordner wird gelesen.</translation>
+    </message>
+    <message>
+        <source>The finger&apos;s folder has no video yet.</source>
+        <translation>Im Ordner des Fingers ist noch kein Video.</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>cannot be read</source>
+        <translation>nicht lesbar</translation>
+    </message>
+    <message>
+        <source>The finger&apos;s reference</source>
+        <translation>Referenz des Fingers</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
+    <message>
+        <source>%1 cannot be moved to the trash. Delete it in its folder.</source>
+        <translation>%1 lässt sich nicht in den Papierkorb verschieben. Löschen Sie die Datei in ihrem Ordner.</translation>
     </message>
 </context>
 </TS>

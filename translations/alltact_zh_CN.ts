@@ -1312,6 +1312,18 @@
         <source>Due: its untouched image</source>
         <translation>待办：未触碰的图像</translation>
     </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>打开(&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Show in folder</source>
+        <translation>在文件夹中显示(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Remove from this list</source>
+        <translation>从此列表中移除(&amp;R)</translation>
+    </message>
 </context>
 <context>
     <name>alltact::FingerListDialog</name>
@@ -2479,6 +2491,18 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>Folder of recordings</source>
         <translation>录像文件夹</translation>
+    </message>
+    <message>
+        <source>Recordin&amp;gs…</source>
+        <translation>录像(&amp;G)…</translation>
+    </message>
+    <message>
+        <source>Lists the recordings in this finger&apos;s folder</source>
+        <translation>列出此手指文件夹中的录像</translation>
+    </message>
+    <message>
+        <source>compare with the body %1</source>
+        <translation>与物体 %1 比较</translation>
     </message>
 </context>
 <context>
@@ -5719,6 +5743,59 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
     <message>
         <source>The finger keeps its present reference</source>
         <translation>手指保留当前参考</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>参考</translation>
+    </message>
+    <message>
+        <source>Measurement</source>
+        <translation>测量</translation>
+    </message>
+    <message>
+        <source>What the recording is for</source>
+        <translation>录像的用途</translation>
+    </message>
+    <message>
+        <source>A reference shows the bending finger with nothing on its face; a measurement shows what is to be measured.</source>
+        <translation>参考展示接触面无物、正在弯曲的手指；测量展示要测量的内容。</translation>
+    </message>
+    <message>
+        <source>Length of the recording</source>
+        <translation>录制时长</translation>
+    </message>
+    <message>
+        <source>until stopped</source>
+        <translation>直到停止</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> 秒</translation>
+    </message>
+    <message>
+        <source>The recording stops by itself after so many seconds; 0: only when it is stopped.</source>
+        <translation>录制在这么多秒后自动停止；0：只有手动停止。</translation>
+    </message>
+    <message>
+        <source>The video goes into the finger&apos;s folder. It is neither judged nor installed, so the finger may touch anything.</source>
+        <translation>视频保存在手指的文件夹中，既不评估也不设为参考，因此手指可以触碰任何物体。</translation>
+    </message>
+    <message>
+        <source>Saved. A measurement is neither judged nor installed.</source>
+        <translation>已保存。测量录像既不评估也不设为参考。</translation>
+    </message>
+    <message>
+        <source>It records</source>
+        <translation>正在录制</translation>
+    </message>
+    <message>
+        <source>It does not record</source>
+        <translation>未在录制</translation>
+    </message>
+    <message>
+        <source>for </source>
+        <comment>before a number of seconds</comment>
+        <translation>录 </translation>
     </message>
 </context>
 <context>
@@ -16699,6 +16776,85 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>
             <numerusform>%n 个录像，其中 %1 个无法检视。</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>alltact::RecordingsDialog</name>
+    <message>
+        <source>Recordings of %1</source>
+        <translation>%1 的录像</translation>
+    </message>
+    <message>
+        <source>Recordings, newest first</source>
+        <translation>录像，最新的在前</translation>
+    </message>
+    <message>
+        <source>Double click or Return opens a recording; Delete moves it to the trash</source>
+        <translation>双击或按回车打开录像；按 Delete 移到回收站</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>打开(&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Show in folder</source>
+        <translation>在文件夹中显示(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Move to the trash…</source>
+        <translation>移到回收站(&amp;M)…</translation>
+    </message>
+    <message>
+        <source>&amp;Move to the trash</source>
+        <translation>移到回收站(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Move to the trash</source>
+        <translation>移到回收站</translation>
+    </message>
+    <message>
+        <source>Move %1 to the trash?</source>
+        <translation>将 %1 移到回收站？</translation>
+    </message>
+    <message>
+        <source>Opens the selected recording on this page (Return)</source>
+        <translation>在此页面打开所选录像（回车）</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>关闭(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Closes this window (Esc)</source>
+        <translation>关闭此窗口 (Esc)</translation>
+    </message>
+    <message>
+        <source>The folder is being read.</source>
+        <translation>正在读取文件夹。</translation>
+    </message>
+    <message>
+        <source>The finger&apos;s folder has no video yet.</source>
+        <translation>手指的文件夹中还没有视频。</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 分</translation>
+    </message>
+    <message>
+        <source>cannot be read</source>
+        <translation>无法读取</translation>
+    </message>
+    <message>
+        <source>The finger&apos;s reference</source>
+        <translation>手指的参考</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>取消(&amp;C)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be moved to the trash. Delete it in its folder.</source>
+        <translation>无法将 %1 移到回收站。请在其文件夹中删除。</translation>
     </message>
 </context>
 </TS>

@@ -1,10 +1,17 @@
 // Files dropped on the window, and many presses changed at a time.
 #include "app/studio/main_window.h"
 #include "app/studio/workspace.h"
+#include "core/base/atomic_file.h"
+#include "core/inspection/inspection_recipe.h"
+#include "core/recording/video_file.h"
 #include "tests/studio/calibrate_rig.h"
+#include "widgets/inspect/recordings_dialog.h"
+#include "widgets/language.h"
 #include "widgets/pages/inspect_page.h"
 
 #include <QDropEvent>
+#include <QListWidget>
+#include <QMessageBox>
 #include <QMimeData>
 
 #include <gtest/gtest.h>
@@ -54,6 +61,101 @@ TEST(Drop, OpensFingersSourcesAndRecordings) {
     offered << action->toolTip();
   EXPECT_TRUE(offered.contains(QString::fromStdString(made.touched().string())))
       << "among the recent sources";
+}
+
+TEST(Drop, OnInspectARecipeIsLoadedAndABodyIsComparedWith) {
+  const TemporaryFolder folder;
+  InspectionRecipe recipe;
+  recipe.readings.push_back({"gap", Measurand::kDistance, {10, 0}, {20, 0}, {}, {}, {}});
+  must(recipe.save(folder / "gap.yaml"));
+  must(write_file_atomically(folder / "broken.yaml", "format: alltact-inspection-recipe/1\n"));
+  must(write_file_atomically(folder / "Ball.STL", "solid ball\nendsolid ball\n"));
+  StudioOptions options;
+  options.finger = MadeFingers::get().calibrated();
+  options.source = {MadeFingers::get().touched()};
+  Studio studio(options);
+  ASSERT_TRUE(studio.wait_for_picture());
+  studio.window().go_to("inspect");
+  const auto& shown = studio.window().findChild<InspectPage*>()->options();
+  drop(studio.window(), {folder / "gap.yaml"});
+  EXPECT_TRUE(wait_until([&] { return shown.recipe == recipe; }));
+  drop(studio.window(), {folder / "Ball.STL"});
+  EXPECT_TRUE(wait_until([&] { return shown.with.file == folder / "Ball.STL"; }));
+  EXPECT_EQ(shown.with.method, OtherMethod::kBody);
+  EXPECT_EQ(shown.comparison, Comparison::kDifference);
+  studio.window().undo_stack().undo();
+  EXPECT_TRUE(shown.with.file.empty());
+  EXPECT_EQ(shown.recipe, recipe);
+  drop(studio.window(), {folder / "broken.yaml"});
+  EXPECT_TRUE(
+      wait_until([&] { return studio.problems().find("broken.yaml") != std::string::npos; }, 10000))
+      << studio.problems();
+  EXPECT_EQ(shown.recipe, recipe);
+  EXPECT_EQ(studio.session().status().source.inputs,
+            std::vector<fs::path>{MadeFingers::get().touched()})
+      << "none of them is a source";
+}
+
+TEST(Recordings, AreListedNewestFirstWithAFrameAndOpened) {
+  const TemporaryFolder folder;
+  fs::copy(MadeFingers::get().described(), folder / "finger", fs::copy_options::recursive);
+  const fs::path finger = folder / "finger";
+  const auto make_video = [&](const char* name, int grey, int days_old) {
+    Frame frame;
+    frame.grey = cv::Mat(48, 64, CV_8UC1, cv::Scalar(grey));
+    auto writer = VideoWriter::create(finger / name, frame, VideoCodec::kAuto, 10.0);
+    ASSERT_TRUE(writer.ok());
+    for (int i = 0; i < 20; ++i) must(writer->add(frame));
+    must(writer->finish());
+    fs::last_write_time(finger / name,
+                        fs::file_time_type::clock::now() - std::chrono::hours(24 * days_old));
+  };
+  make_video("reference.mkv", 50, 3);
+  make_video("old.mkv", 100, 2);
+  make_video("new.mkv", 200, 0);
+  StudioOptions options;
+  options.finger = finger;
+  Studio studio(options);
+  ASSERT_TRUE(
+      wait_until([&] { return studio.session().status().finger.state == FingerState::kReady; }));
+  studio.window().go_to("inspect");
+  studio.click("Recordings…");
+  auto* dialog = studio.window().findChild<RecordingsDialog*>();
+  ASSERT_NE(dialog, nullptr);
+  auto* list = dialog->findChild<QListWidget*>();
+  ASSERT_TRUE(wait_until([&] { return list->count() == 3; }));
+  const auto text = [&](int row) { return list->item(row)->text().toStdString(); };
+  ASSERT_TRUE(wait_until([&] { return text(2).find("0:02 min") != std::string::npos; }));
+  EXPECT_EQ(text(0).substr(0, 7), "new.mkv");
+  EXPECT_EQ(text(1).substr(0, 7), "old.mkv");
+  EXPECT_EQ(text(2).substr(0, 13), "reference.mkv");
+  EXPECT_NE(text(0).find(moment_text(QDateTime::currentDateTime()).left(6).toStdString()),
+            std::string::npos);
+  const QImage image = list->item(0)->icon().pixmap(list->iconSize()).toImage();
+  EXPECT_NEAR(image.pixelColor(image.width() / 2, image.height() / 2).red(), 200, 3);
+  // The reference cannot be removed.
+  QAction* trash = nullptr;
+  for (QAction* action : list->actions())
+    if (action->shortcut() == QKeySequence(Qt::Key_Delete)) trash = action;
+  ASSERT_NE(trash, nullptr);
+  list->setCurrentRow(2);
+  EXPECT_FALSE(trash->isEnabled());
+  // The others are, once that is confirmed.
+  list->setCurrentRow(1);
+  ASSERT_TRUE(trash->isEnabled());
+  trash->trigger();
+  auto* box = dialog->findChild<QMessageBox*>();
+  ASSERT_NE(box, nullptr);
+  EXPECT_TRUE(fs::exists(finger / "old.mkv"));
+  for (auto* button : box->findChildren<QPushButton*>())
+    if (without_mnemonic(button->text()) == "Move to the trash") button->click();
+  EXPECT_TRUE(wait_until([&] { return list->count() == 2; }));
+  EXPECT_FALSE(fs::exists(finger / "old.mkv"));
+  list->setCurrentRow(0);
+  QTest::keyClick(list, Qt::Key_Return);
+  EXPECT_EQ(studio.window().findChild<InspectPage*>()->options().recording, finger / "new.mkv");
+  EXPECT_TRUE(
+      wait_until([&] { return studio.window().findChild<RecordingsDialog*>() == nullptr; }));
 }
 
 TEST(Drop, AddsImagesOfPressesToTheStepThatIsShown) {

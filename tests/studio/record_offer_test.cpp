@@ -7,14 +7,18 @@
 #include "widgets/panels/frame_strip.h"
 #include "widgets/panels/image_panel.h"
 #include "widgets/panels/recording_checks.h"
+#include "widgets/theme.h"
 #include "widgets/undo_step.h"
+#include "widgets/widget_base.h"
 
 #include <QApplication>
 #include <QCheckBox>
+#include <QComboBox>
 #include <QFileDialog>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMouseEvent>
+#include <QSpinBox>
 #include <algorithm>
 
 #include <gmock/gmock.h>
@@ -86,6 +90,87 @@ TEST_F(RecordOffer, SaysWhatItWouldBringAndLeavesTheFingerAlone) {
   studio_->click("Install as this finger's reference");
   ASSERT_TRUE(wait_until([&] { return studio_->session().status().finger.has_reference; }, 60000))
       << studio_->problems();
+}
+
+TEST_F(RecordOffer, AMeasurementIsNeitherJudgedNorInstalledAndInspectedNext) {
+  open();
+  studio_->find<QComboBox>("What the recording is for")->setCurrentIndex(1);
+  const std::filesystem::path file =
+      studio_->find<QLineEdit>("Recording file")->text().toStdString();
+  EXPECT_EQ(file.parent_path(), folder_ / "finger");
+  EXPECT_THAT(file.filename().string(), testing::StartsWith("measurement_20"));
+  record(file);
+  EXPECT_TRUE(wait_for_words("A measurement is neither judged nor installed."));
+  EXPECT_TRUE(std::filesystem::exists(file));
+  EXPECT_FALSE(has_words("The expected error"));
+  EXPECT_FALSE(has_words("Expected error"));
+  const auto is_offered = [&](const char* text) {
+    for (const auto* button : studio_->window().findChildren<QPushButton*>())
+      if (button->isVisible() && without_mnemonic(button->text()) == QLatin1String(text))
+        return true;
+    return false;
+  };
+  EXPECT_FALSE(is_offered("Install as this finger's reference"));
+  EXPECT_TRUE(is_primary(*studio_->find<QPushButton>("Inspect this recording")));
+  EXPECT_FALSE(is_primary(*studio_->find<QPushButton>("Start recording")));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "finger/reference.mkv"));
+  EXPECT_NE(studio_->find<QLineEdit>("Recording file")->text().toStdString(), file.string())
+      << "the next one has a name of its own";
+  studio_->click("Inspect this recording");
+  EXPECT_EQ(studio_->window().findChild<InspectPage*>()->options().recording, file);
+  // Back to a reference: it is shown how to bend, and it is judged again.
+  studio_->window().go_to("record");
+  studio_->find<QComboBox>("What the recording is for")->setCurrentIndex(0);
+  EXPECT_THAT(studio_->find<QLineEdit>("Recording file")->text().toStdString(),
+              HasSubstr("/bending_20"));
+  EXPECT_FALSE(has_words("A measurement is neither"));
+  record(folder_ / "bend.mkv");
+  EXPECT_TRUE(wait_for_words("Expected error"));
+  EXPECT_TRUE(is_primary(*studio_->find<QPushButton>("Install as this finger's reference")));
+}
+
+TEST_F(RecordOffer, AChosenFileIsRetainedForTheOtherPurpose) {
+  open();
+  auto* file = studio_->find<QLineEdit>("Recording file");
+  file->setText("/tmp/mine.mkv");
+  studio_->find<QComboBox>("What the recording is for")->setCurrentIndex(1);
+  EXPECT_EQ(file->text(), "/tmp/mine.mkv");
+}
+
+TEST_F(RecordOffer, ARecordingStopsByItselfAfterItsTime) {
+  open();
+  auto* length = studio_->find<QSpinBox>("Length of the recording");
+  EXPECT_EQ(length->text(), "until stopped");
+  length->setValue(2);
+  studio_->find<QLineEdit>("Recording file")
+      ->setText(QString::fromStdString((folder_ / "timed.mkv").string()));
+  studio_->click("Start recording");
+  const auto& recording = studio_->session().status().recording;
+  ASSERT_TRUE(wait_until([&] { return recording.state == RecordingState::kRunning; }));
+  EXPECT_TRUE(wait_for_words(" / 0:02"));
+  EXPECT_FALSE(length->isEnabled());
+  ASSERT_TRUE(wait_until([&] { return recording.state == RecordingState::kDone; }, 20000));
+  EXPECT_GE(recording.seconds, 1.9);
+  EXPECT_LE(recording.seconds, 4.0);
+}
+
+TEST_F(RecordOffer, ASignIsRedOnlyWhileItRecords) {
+  open();
+  auto* sign = studio_->find<QLabel>("It does not record");
+  ASSERT_NE(sign, nullptr);
+  const auto is_red = [&] {
+    const QImage image = sign->pixmap(Qt::ReturnByValue).toImage();
+    const QColor middle = image.pixelColor(image.width() / 2, image.height() / 2);
+    return middle.red() > 150 && middle.red() > 2 * middle.green();
+  };
+  EXPECT_FALSE(is_red());
+  studio_->find<QLineEdit>("Recording file")
+      ->setText(QString::fromStdString((folder_ / "a.mkv").string()));
+  studio_->click("Start recording");
+  EXPECT_TRUE(wait_until(is_red));
+  EXPECT_EQ(sign->accessibleName(), "It records");
+  studio_->click("Stop recording");
+  EXPECT_TRUE(wait_until([&] { return !is_red(); }));
 }
 
 TEST_F(RecordOffer, ShowsWhatBecomesOfEachFrameBeforeItIsInstalled) {

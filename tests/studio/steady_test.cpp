@@ -201,6 +201,30 @@ TEST(Steady, RecordingMovesNothing) {
   controls.expect_unmoved("it is saved for later");
 }
 
+TEST(Steady, RecordingAMeasurementMovesNothing) {
+  StudioOptions options;
+  options.finger = MadeFingers::get().described();
+  options.source = {MadeFingers::get().bending()};
+  Studio studio(options);
+  ASSERT_TRUE(studio.wait_for_picture());
+  studio.window().go_to("record");
+  ASSERT_TRUE(wait_until([&] { return says(studio, "Space left"); }));
+  QTest::qWait(300);
+  Controls controls(studio.window());
+  studio.find<QComboBox>("What the recording is for")->setCurrentIndex(1);
+  controls.expect_unmoved("a measurement is chosen");
+  studio.find<QLineEdit>("Recording file")
+      ->setText(QString::fromStdString((studio.folder() / "a.mkv").string()));
+  studio.click("Start recording");
+  controls.expect_unmoved("it begins");
+  const auto& recording = studio.session().status().recording;
+  ASSERT_TRUE(wait_until([&] { return recording.counts.recorded > 5; }));
+  controls.expect_unmoved("it runs");
+  studio.click("Stop recording");
+  ASSERT_TRUE(wait_until([&] { return recording.state == RecordingState::kDone; }));
+  controls.expect_unmoved("it is done");
+}
+
 TEST(Steady, JudgingAndInstallingMoveNothing) {
   const TemporaryFolder folder;
   std::filesystem::copy(MadeFingers::get().described(), folder / "finger",

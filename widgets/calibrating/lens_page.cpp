@@ -403,6 +403,8 @@ bool LensPage::take_files(const DroppedFiles& dropped) {
       return true;
     case FileKind::kFinger:
     case FileKind::kImages:
+    case FileKind::kRecipe:
+    case FileKind::kMesh:
       break;
   }
   return false;

@@ -80,6 +80,7 @@ class InspectSide : public Translated<QWidget> {
   /// Null: nothing can be measured.
   void show_frame(const std::shared_ptr<const InspectedFrame>& frame);
   void set_frame_count(std::size_t count) { view_->set_frame_count(count); }
+  void open_recipe(const std::filesystem::path& file) { recipe_->open(file); }
   [[nodiscard]] SectionPlot& section() const { return *section_; }
   /// Wide enough for hidden boxes too: nothing moves aside when they come.
   [[nodiscard]] QSize minimumSizeHint() const override;

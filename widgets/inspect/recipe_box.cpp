@@ -98,7 +98,7 @@ void RecipeBox::connect_parts() {
   connect(list_, &QTreeWidget::itemActivated, this, &RecipeBox::change_selected);
   connect(change_, &QPushButton::clicked, this, &RecipeBox::change_selected);
   connect(remove_, &QPushButton::clicked, this, &RecipeBox::remove_selected);
-  connect(open_, &QPushButton::clicked, this, &RecipeBox::open);
+  connect(open_, &QPushButton::clicked, this, &RecipeBox::choose_file);
   connect(save_, &QPushButton::clicked, this, &RecipeBox::save);
   connect(run_, &QPushButton::clicked, this, &RecipeBox::run_requested);
   connect(run_in_folder_, &QPushButton::clicked, this, &RecipeBox::run_in_folder_requested);
@@ -228,13 +228,15 @@ void RecipeBox::remove_selected() {
   set_recipe(std::move(recipe), [] { return tr("remove a reading from the recipe"); });
 }
 
-void RecipeBox::open() {
+void RecipeBox::choose_file() {
   ask_for_file(this, FilesOf::kRecipes, tr("Open a recipe"), tr("Recipes (*.yaml *.yml)"),
-               [this](const QString& file) {
-                 auto recipe = InspectionRecipe::load(file.toStdString());
-                 if (!recipe) return problems_->set_problems({Problem::of(recipe.error())});
-                 set_recipe(std::move(*recipe), [] { return tr("open a recipe"); });
-               });
+               [this](const QString& file) { open(file.toStdString()); });
+}
+
+void RecipeBox::open(const std::filesystem::path& file) {
+  auto recipe = InspectionRecipe::load(file);
+  if (!recipe) return problems_->set_problems({Problem::of(recipe.error())});
+  set_recipe(std::move(*recipe), [] { return tr("open a recipe"); });
 }
 
 void RecipeBox::save() {

@@ -36,6 +36,8 @@ class RecipeBox : public Translated<QGroupBox> {
   void show_frame(const std::shared_ptr<const InspectedFrame>& frame);
   /// Adds a reading between the points A and B, which are both chosen.
   void add(Measurand what);
+  /// Replaces the recipe, or shows why the file cannot be read.
+  void open(const std::filesystem::path& file);
 
  Q_SIGNALS:
   /// As in ViewBox.
@@ -59,7 +61,7 @@ class RecipeBox : public Translated<QGroupBox> {
   void set_recipe(InspectionRecipe recipe, const StepWords& what);
   void change_selected();
   void remove_selected();
-  void open();
+  void choose_file();
   void save();
 
   InspectOptions options_;

@@ -5,6 +5,7 @@
 #include "widgets/inspect/inspected_frame.h"
 #include "widgets/inspect/inspection_results.h"
 #include "widgets/inspect/point_readings.h"
+#include "widgets/inspect/recordings_dialog.h"
 #include "widgets/language.h"
 #include "widgets/live/touch_history.h"
 #include "widgets/panels/force_box.h"
@@ -34,6 +35,7 @@ InspectPage::InspectPage(LiveSession& session, QUndoStack& undo, QWidget* parent
       undo_(undo),
       pair_(inspection_),
       live_(new QPushButton),
+      recordings_(new QPushButton),
       video_(new QPushButton),
       folder_(new QPushButton),
       save_bar_(new SaveBar),
@@ -78,7 +80,7 @@ QWidget* InspectPage::make_header() {
   auto* row = without_margins(new QHBoxLayout(header));
   live_->setCheckable(true);
   live_->setChecked(true);
-  add_widgets(*row, {live_, video_, folder_, pair_box_->open_button()});
+  add_widgets(*row, {live_, recordings_, video_, folder_, pair_box_->open_button()});
   shown_->setMinimumWidth(1);
   row->addWidget(shown_, 1);
   saved_->setMinimumWidth(1);
@@ -97,6 +99,7 @@ SidePanel InspectPage::make_side() {
 
 void InspectPage::connect_parts() {
   connect(live_, &QPushButton::clicked, this, &InspectPage::go_live);
+  connect(recordings_, &QPushButton::clicked, this, &InspectPage::choose_recording);
   connect(video_, &QPushButton::clicked, this, [this] {
     ask_for_file(this, FilesOf::kRecordings, tr("Open a video"), video_filter(),
                  [this](const QString& file) { open(file.toStdString()); });
@@ -165,6 +168,8 @@ void InspectPage::connect_panes() {
 void InspectPage::name_parts() {
   live_->setText(tr("&Live finger"));
   live_->setToolTip(tr("Shows the open source instead of a recording"));
+  recordings_->setText(tr("Recordin&gs…"));
+  recordings_->setToolTip(tr("Lists the recordings in this finger's folder"));
   video_->setText(tr("Vide&o…"));
   video_->setToolTip(tr("Inspects a recorded video of this finger"));
   folder_->setText(tr("Folder of &images…"));
@@ -242,9 +247,30 @@ void InspectPage::open(const std::filesystem::path& recording) {
       next, [recording] { return tr("inspect %1").arg(text_of(recording.filename())); }, -1);
 }
 
+void InspectPage::choose_recording() {
+  auto* dialog = new RecordingsDialog(session_.status().finger.folder, this);
+  connect(dialog, &RecordingsDialog::chosen, this, &InspectPage::open);
+  show_dialog(*dialog);
+}
+
 bool InspectPage::take_files(const DroppedFiles& dropped) {
+  const auto& first = dropped.files.front();
+  if (dropped.kind == FileKind::kRecipe) {
+    side_->open_recipe(first);
+    return true;
+  }
+  if (dropped.kind == FileKind::kMesh) {
+    InspectOptions next = options_;
+    next.with.method = OtherMethod::kBody;
+    next.with.file = first;
+    if (next.comparison == Comparison::kNone) next.comparison = Comparison::kDifference;
+    change_options(
+        next, [first] { return tr("compare with the body %1").arg(text_of(first.filename())); },
+        -1);
+    return true;
+  }
   const bool is_recording = dropped.kind == FileKind::kFolder || dropped.kind == FileKind::kVideo;
-  if (is_recording) open(dropped.files.front());
+  if (is_recording) open(first);
   return is_recording;
 }
 
@@ -670,6 +696,7 @@ void InspectPage::show_state() {
   if (const auto& frame = inspection_.frame(); frame && is_recording)
     time_line_->set_shown(frame->number, QString::fromStdString(frame->result.frame->name));
   side_->set_frame_count(is_recording && recording ? recording->count : 0);
+  recordings_->setEnabled(!session_.status().finger.folder.empty());
   save_bar_->set_can_save(can_save());
   shown_->setText(shown_text());
   Q_EMIT problems_changed();

@@ -78,6 +78,7 @@ class InspectPage : public Page {
   void show_probe();
   void store_look(const InspectPane& pane, bool is_drag);
   void show_recording();
+  void choose_recording();
   void choose_second();
   void choose_pose(bool is_second);
   void inspect_all();
@@ -117,7 +118,7 @@ class InspectPage : public Page {
       last_frame_;  // the last frame shown of each recording
   QElapsedTimer since_turn_;
   int turns_ = 0;  // count of turns that are undo steps of their own
-  QPushButton *live_, *video_, *folder_;
+  QPushButton *live_, *recordings_, *video_, *folder_;
   SaveBar* save_bar_;
   QLabel *shown_, *summary_, *saved_, *probe_;
   std::optional<QPointF> pointed_at_;     // pixel under the pointer

@@ -5,6 +5,7 @@
 #include "widgets/calibrating/step_page.h"
 #include "widgets/image/image_view.h"
 #include "widgets/image/overlays.h"
+#include "widgets/inspect/recordings_dialog.h"
 #include "widgets/language.h"
 #include "widgets/shell/page.h"
 #include "widgets/theme.h"
@@ -13,14 +14,12 @@
 #include <QCheckBox>
 #include <QDateTime>
 #include <QDir>
-#include <QFile>
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QPainter>
 #include <QPainterPath>
 #include <QPoint>
 #include <QSignalBlocker>
-#include <QStandardPaths>
 #include <QVBoxLayout>
 #include <cmath>
 #include <set>
@@ -30,6 +29,8 @@ namespace {
 
 constexpr int kRecordSideWidth = 306;
 constexpr int kSpaceInterval_ms = 2000;
+constexpr int kSign_px = 14;
+constexpr int kLongest_s = 24 * 3600;
 constexpr int kProgressLines = 2, kSpaceLines = 1, kDirectionsLines = 3, kOutcomeLines = 5,
               kReasonLines = 2;
 
@@ -68,9 +69,13 @@ RecordPage::RecordPage(LiveSession& session, QUndoStack& undo, QWidget* parent)
       file_(new QLineEdit),
       browse_(new QPushButton),
       record_(new QPushButton),
+      purpose_(new QComboBox),
+      length_s_(new IntegerField),
+      sign_(new QLabel),
       progress_(new ReservedText(kProgressLines)),
       space_(new ReservedText(kSpaceLines)),
       work_(new QStackedWidget),
+      measurement_note_(wrapped_label()),
       summary_(wrapped_label()),
       install_(new QPushButton),
       keep_(new QPushButton),
@@ -108,6 +113,7 @@ void RecordPage::connect_parts() {
   connect(rest_, &QPushButton::clicked, this, &RecordPage::set_rest);
   connect(record_, &QPushButton::clicked, this, &RecordPage::start_or_stop);
   connect(browse_, &QPushButton::clicked, this, &RecordPage::choose_file);
+  connect(purpose_, &QComboBox::currentIndexChanged, this, &RecordPage::follow_purpose);
   connect(install_, &QPushButton::clicked, this, &RecordPage::install);
   connect(keep_, &QPushButton::clicked, this, [this] {
     deferred_ = std::exchange(recorded_, {});
@@ -120,15 +126,14 @@ void RecordPage::connect_parts() {
   connect(inspect_, &QPushButton::clicked, this, [this] { Q_EMIT inspect_requested(recorded_); });
   connect(onward_, &QPushButton::clicked, this, [this] { Q_EMIT lead_requested("calibrate"); });
   connect(video_, &QPushButton::clicked, this, [this] {
-    ask_for_file(
-        this, FilesOf::kRecordings, tr("Video of the bending finger"), video_filter(),
-        [this](const QString& file) {
-          report_.reset();
-          problem_image_ = {};
-          offer(file.toStdString(), std::nullopt);
-          show_status();
-        },
-        QString::fromStdString(session_.status().finger.folder.string()));
+    ask_for_file(this, FilesOf::kRecordings, tr("Video of the bending finger"), video_filter(),
+                 [this](const QString& file) {
+                   report_.reset();
+                   problem_image_ = {};
+                   is_measurement_ = false;
+                   offer(file.toStdString(), std::nullopt);
+                   show_status();
+                 });
   });
   connect(stop_install_, &QPushButton::clicked, this, [this] {
     install_after_judging_ = false;
@@ -154,7 +159,7 @@ void RecordPage::connect_parts() {
 QWidget* RecordPage::make_side() {
   const SidePanel side(kRecordSideWidth);
   make_recording_group(*side.column);
-  auto *bending = new QWidget, *recorded = new QWidget;
+  auto *bending = new QWidget, *recorded = new QWidget, *measuring = new QWidget;
   auto* column = without_margins(new QVBoxLayout(bending));
   auto* coverage = new QVBoxLayout(coverage_group_);
   add_widgets(*coverage, {coverage_view_, missing_, rest_, rest_note_});
@@ -163,7 +168,10 @@ QWidget* RecordPage::make_side() {
   add_widgets(*column, {rig_box_, coverage_group_});
   column->addStretch();
   make_result_group(*without_margins(new QVBoxLayout(recorded)));
-  for (QWidget* page : {bending, recorded}) work_->addWidget(page);
+  auto* note = without_margins(new QVBoxLayout(measuring));
+  note->addWidget(measurement_note_);
+  note->addStretch();
+  for (QWidget* page : {bending, recorded, measuring}) work_->addWidget(page);
   side.column->addWidget(work_);
   make_file_group(*side.column);
   // Last: their heights depend on the recording, and nothing may move.
@@ -175,7 +183,17 @@ QWidget* RecordPage::make_side() {
 void RecordPage::make_recording_group(QVBoxLayout& column) {
   auto* layout = new QVBoxLayout(recording_group_);
   record_->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_R));
-  add_widgets(*layout, {record_, progress_, space_});
+  auto* kind = new QHBoxLayout;
+  purpose_->addItems({{}, {}});
+  length_s_->setRange(0, kLongest_s);
+  add_widgets(*kind, {purpose_, length_s_});
+  layout->addLayout(kind);
+  layout->addWidget(record_);
+  auto* line = new QHBoxLayout;
+  line->addWidget(sign_, 0, Qt::AlignTop);
+  line->addWidget(progress_, 1);
+  layout->addLayout(line);
+  layout->addWidget(space_);
   column.addWidget(recording_group_);
 }
 
@@ -195,7 +213,8 @@ void RecordPage::make_result_group(QVBoxLayout& column) {
   auto* layout = new QVBoxLayout(result_group_);
   rejected_->setMaximumHeight(140);
   rejected_->setWordWrap(true);
-  auto *offered = new QWidget, *working = new QWidget, *installed = new QWidget;
+  auto *offered = new QWidget, *working = new QWidget, *installed = new QWidget,
+       *measured = new QWidget;
   auto* choice = without_margins(new QVBoxLayout(offered));
   auto* other = new QHBoxLayout;
   other->addWidget(keep_);
@@ -207,7 +226,7 @@ void RecordPage::make_result_group(QVBoxLayout& column) {
   line->addWidget(bar_, 1);
   line->addWidget(stop_install_);
   without_margins(new QVBoxLayout(installed))->addWidget(onward_);
-  for (QWidget* step : {offered, working, installed}) step_->addWidget(step);
+  for (QWidget* step : {offered, working, installed, measured}) step_->addWidget(step);
   step_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   add_widgets(*layout, {summary_, outcome_, skin_changed_, step_, inspect_});
   column.addWidget(result_group_);
@@ -221,6 +240,21 @@ void RecordPage::name_parts() {
   rest_->setAccessibleDescription(rest_->toolTip());
   recording_group_->setTitle(tr("Recording"));
   file_group_->setTitle(tr("Files"));
+  purpose_->setItemText(0, tr("Reference"));
+  purpose_->setItemText(1, tr("Measurement"));
+  purpose_->setAccessibleName(tr("What the recording is for"));
+  purpose_->setToolTip(
+      tr("A reference shows the bending finger with nothing on its face; a measurement shows what "
+         "is to be measured."));
+  length_s_->setAccessibleName(tr("Length of the recording"));
+  length_s_->setSpecialValueText(tr("until stopped"));
+  length_s_->setPrefix(tr("for ", "before a number of seconds"));
+  length_s_->setSuffix(tr(" s"));
+  length_s_->setToolTip(
+      tr("The recording stops by itself after so many seconds; 0: only when it is stopped."));
+  measurement_note_->setText(
+      tr("The video goes into the finger's folder. It is neither judged nor installed, so the "
+         "finger may touch anything."));
   result_group_->setTitle(tr("Recorded video"));
   file_label_->setText(tr("Fi&le"));
   file_->setAccessibleName(tr("Recording file"));
@@ -278,7 +312,7 @@ void RecordPage::analyse_frame() {
     coverage_.clear_pose();
   unknown_frames_ = !is_face_pressed_ ? unknown_frames_ + 1 : 0;
   const bool is_recording = session_.status().recording.state == RecordingState::kRunning;
-  if (is_recording && is_in_contact_) ++contact_frames_;
+  if (is_recording && is_in_contact_ && !is_measurement_) ++contact_frames_;
   if (!is_recording) rig_.add(result, monotonic_s());
   show_coverage();
 }
@@ -314,9 +348,11 @@ void RecordPage::begin_recording() {
   judge_.forget();
   coverage_.begin();
   contact_frames_ = 0;
+  if (is_measurement_ || is_for_measurement()) recorded_.clear();
+  is_measurement_ = is_for_measurement();
   const LiveStatus& status = session_.status();
   std::shared_ptr<RecordingFeed> feed;
-  if (install_obstacle(status).isEmpty()) {
+  if (!is_measurement_ && install_obstacle(status).isEmpty()) {
     feed = std::make_shared<RecordingFeed>(path_of(file_->text()));
     judge_.follow(status.finger.folder, feed);
   }
@@ -334,9 +370,23 @@ void RecordPage::choose_file() {
 void RecordPage::propose_file() {
   const auto& folder = session_.status().finger.folder;
   const QDir where(folder.empty() ? QDir::homePath() : QString::fromStdString(folder.string()));
-  file_->setText(where.filePath(
-      QStringLiteral("bending_%1.mkv")
-          .arg(QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd_HHmmss")))));
+  proposed_file_ = where.filePath(
+      (is_for_measurement() ? QStringLiteral("measurement_%1.mkv")
+                            : QStringLiteral("bending_%1.mkv"))
+          .arg(QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd_HHmmss"))));
+  file_->setText(proposed_file_);
+}
+
+void RecordPage::follow_purpose() {
+  if (file_->text() == proposed_file_) propose_file();
+  if (is_measurement_) recorded_.clear();  // the page shows what is to be recorded next
+  show_status();
+}
+
+void RecordPage::stop_in_time(const RecordingStatus& recording) {
+  const int length_s = length_s_->value();
+  if (recording.state == RecordingState::kRunning && length_s > 0 && recording.seconds >= length_s)
+    session_.stop_recording();
 }
 
 void RecordPage::measure_space() {
@@ -374,7 +424,10 @@ void RecordPage::show_status() {
   const bool is_recording = state == RecordingState::kRunning;
   if (was_recording_ && state == RecordingState::kDone) {
     was_recording_ = false;  // before offer(), which calls this again
-    if (status.recording.counts.recorded > 0) {
+    if (status.recording.counts.recorded > 0 && is_measurement_) {
+      recorded_ = status.recording.file;
+      propose_file();
+    } else if (status.recording.counts.recorded > 0) {
       offer(status.recording.file, coverage_.set_rest_pose());
       propose_file();
     } else {
@@ -382,6 +435,7 @@ void RecordPage::show_status() {
     }
   }
   was_recording_ = was_recording_ || is_recording;
+  stop_in_time(status.recording);
   if (isVisible()) measure_space();
   const auto& finger = status.finger.finger;
   coverage_group_->setVisible(!finger || finger->face.kind == FaceKind::kFinRay);  // flat: rigid
@@ -598,7 +652,8 @@ std::vector<Overlay> RecordPage::ghost(const LiveView& view) const {
   const auto missing = covered.missing();
   const bool is_recording = session_.status().recording.state == RecordingState::kRunning;
   const bool is_offered = !recorded_.empty() && !is_recording;
-  if (missing.empty() || !covered.now || !view.result.shape || is_offered) return {};
+  if (is_for_measurement() || missing.empty() || !covered.now || !view.result.shape || is_offered)
+    return {};
   const double phase = static_cast<double>(ghost_clock_.elapsed() % kGhostPeriod_ms) /
                        kGhostPeriod_ms / kMotionFraction;
   const auto outline =
@@ -634,12 +689,8 @@ void RecordPage::judge_take() {
 void RecordPage::record_again() {
   const auto video = std::exchange(recorded_, {});
   judge_.forget();
-  // The trash is in this folder; without it, Qt 6.4 creates one in the current folder.
-  QDir().mkpath(QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation));
   // Only the last recording is removed; an installed video has been copied.
-  if (video == session_.status().recording.file)
-    for (const auto& file : {video, std::filesystem::path(video).replace_extension(".frames.csv")})
-      QFile::moveToTrash(QString::fromStdString(file.string()));
+  if (video == session_.status().recording.file) move_recording_to_trash(video);
   begin_recording();
 }
 
@@ -649,7 +700,7 @@ QString RecordPage::take_words(const RecordingStatus& recording) const {
   QStringList lines{
       tr("%1: %2, %3 min")
           .arg(name, tr("%n frame(s)", nullptr, static_cast<int>(recording.counts.recorded)),
-               time_text(recording.seconds))};
+               minutes_text(recording.seconds))};
   if (const auto dropped = recording.counts.dropped; dropped > 0)
     lines << tr("%n frame(s) were lost because this computer or its disk was too slow.", nullptr,
                 static_cast<int>(dropped));
@@ -663,6 +714,7 @@ QString RecordPage::take_words(const RecordingStatus& recording) const {
 }
 
 QString RecordPage::outcome_text() const {
+  if (is_measurement_) return tr("Saved. A measurement is neither judged nor installed.");
   if (is_installing()) {
     const auto left = installing_work().seconds_left();
     if (!left) return tr("Reading the recording…");
@@ -700,17 +752,19 @@ void RecordPage::show_offer(const LiveStatus& status) {
     other->setEnabled(!is_installing() && status.recording.state != RecordingState::kFinishing);
   again_->setEnabled(again_->isEnabled() && record_->isEnabled());
   inspect_->setEnabled(status.recording.state != RecordingState::kFinishing);
-  step_->setCurrentIndex(is_installing() ? 1 : is_installed ? 2 : 0);
+  step_->setCurrentIndex(is_measurement_ ? 3 : is_installing() ? 1 : is_installed ? 2 : 0);
   onward_->setEnabled(status.finger.has_reference);
   install_reason_->setText(why);
-  skin_changed_->setVisible(status.finger.has_reference && !is_installing() && !is_installed);
+  skin_changed_->setVisible(!is_measurement_ && status.finger.has_reference && !is_installing() &&
+                            !is_installed);
   outcome_->setText(outcome_text());
 }
 
 void RecordPage::show_recorded(const LiveStatus& status) {
-  work_->setCurrentIndex(recorded_.empty() ? 0 : 1);
+  work_->setCurrentIndex(!recorded_.empty() ? 1 : is_for_measurement() ? 2 : 0);
   // They stay while a changed choice is judged.
-  const bool has_frames = !recorded_.empty() && chooser_->strip().has_frames() && !is_installing();
+  const bool has_frames =
+      !recorded_.empty() && !is_measurement_ && chooser_->strip().has_frames() && !is_installing();
   chooser_->setVisible(has_frames);
   rejected_->setVisible(has_frames && rejected_->count() > 0);
   if (recorded_.empty()) return;
@@ -745,11 +799,6 @@ constexpr int kMaxUnknownFrames = 15;
 
 }  // namespace
 
-QString RecordPage::time_text(double seconds) {
-  const int total_s = static_cast<int>(seconds);
-  return QStringLiteral("%1:%2").arg(total_s / 60).arg(total_s % 60, 2, 10, QLatin1Char('0'));
-}
-
 QString RecordPage::record_obstacle(const LiveStatus& status) const {
   if (is_installing()) return tr("The recording is being installed.");
   if (status.recording.state == RecordingState::kFinishing)
@@ -775,19 +824,26 @@ void RecordPage::show_button(const LiveStatus& status) {
           ? QString()
           : tr("Saved: %1").arg(QString::fromStdString(deferred_.filename().string())));
   progress_->setToolTip(QString::fromStdString(deferred_.string()));
-  for (QWidget* widget : std::initializer_list<QWidget*>{file_, browse_})
-    widget->setEnabled(!is_recording);
+  for (QWidget* widget : std::initializer_list<QWidget*>{file_, browse_, purpose_, length_s_})
+    widget->setEnabled(!is_recording && status.recording.state != RecordingState::kFinishing);
 }
 
 void RecordPage::show_progress(const RecordingStatus& recording) {
   const QLocale locale;
   const bool is_recording = recording.state == RecordingState::kRunning;
   const std::uint64_t lost = recording.counts.dropped + recording.counts.missing;
+  sign_->setPixmap(symbol(QStringLiteral("record"),
+                          is_recording ? meaning_colour(Meaning::kBad, palette())
+                                       : palette().color(QPalette::Disabled, QPalette::WindowText),
+                          kSign_px, devicePixelRatioF()));
+  sign_->setAccessibleName(is_recording ? tr("It records") : tr("It does not record"));
+  sign_->setToolTip(sign_->accessibleName());
+  QString clock = minutes_text(recording.seconds);
+  if (length_s_->value() > 0) clock += QLatin1String(" / ") + minutes_text(length_s_->value());
   if (is_recording)
     progress_->setText(
         tr("<b>Recording</b> %1 min<br>%2, %3, %4 GB")
-            .arg(time_text(recording.seconds),
-                 tr("%n frame(s)", nullptr, static_cast<int>(recording.counts.recorded)),
+            .arg(clock, tr("%n frame(s)", nullptr, static_cast<int>(recording.counts.recorded)),
                  tr("%n lost", nullptr, static_cast<int>(lost)),
                  locale.toString(static_cast<double>(recording.counts.bytes) / kGigabyte, 'f', 2)));
   std::optional<double> free_gb = free_gb_;
@@ -813,14 +869,16 @@ QString RecordPage::install_obstacle(const LiveStatus& status) const {
 }
 
 void RecordPage::mark_primary() {
-  const bool is_offered = !recorded_.empty() && installed_ != recorded_;
+  const bool is_offered = !recorded_.empty() && installed_ != recorded_ && !is_measurement_;
+  const bool is_measured = !recorded_.empty() && is_measurement_;
   const bool is_refused = judge_.judged() && !judge_.judged()->report.ok();
   const bool installs = is_offered && install_->isEnabled() && !is_refused;
   const bool is_installed = !recorded_.empty() && report_ && report_->ok();
   set_primary(*install_, installs);
   set_primary(*again_, is_offered && is_refused && again_->isEnabled());
   set_primary(*onward_, is_installed && onward_->isEnabled());
-  set_primary(*record_, !is_offered && !is_installed && !is_installing());
+  set_primary(*inspect_, is_measured && inspect_->isEnabled());
+  set_primary(*record_, !is_offered && !is_measured && !is_installed && !is_installing());
   follow_focus();
 }
 
@@ -868,7 +926,7 @@ void RecordPage::add_recording_problems(const LiveStatus& status, std::vector<Pr
 }
 
 void RecordPage::add_contact_notes(const LiveStatus& status, std::vector<Problem>& problems) const {
-  if (!session_.view()) return;
+  if (!session_.view() || is_for_measurement()) return;
   if (is_in_contact_)
     problems.push_back({Meaning::kDoubtful,
                         tr("Something touches the contact face; such frames are left out."),

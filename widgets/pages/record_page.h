@@ -4,12 +4,14 @@
 #include "calibration/reference/motion_coverage.h"
 #include "calibration/reference/reference_recording.h"
 #include "widgets/background_work.h"
+#include "widgets/controls/number_field.h"
 #include "widgets/panels/frame_strip.h"
 #include "widgets/panels/image_panel.h"
 #include "widgets/panels/recording_checks.h"
 #include "widgets/shell/page.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QGroupBox>
 #include <QImage>
 #include <QLineEdit>
@@ -57,7 +59,11 @@ class RecordPage : public Page {
   void start_or_stop();
   void begin_recording();
   void choose_file();
+  /// Replaces the name of the file, except one that the user entered.
+  void follow_purpose();
   void propose_file();
+  [[nodiscard]] bool is_for_measurement() const { return purpose_->currentIndex() == 1; }
+  void stop_in_time(const RecordingStatus& recording);
   /// Offers a video for installation: a recording, or a file chosen by the user.
   void offer(const std::filesystem::path& video, std::optional<RestPose> rest_pose);
   void record_again();
@@ -82,7 +88,6 @@ class RecordPage : public Page {
   void show_recorded(const LiveStatus& status);
   void show_offer(const LiveStatus& status);
   void show_rig();
-  [[nodiscard]] static QString time_text(double seconds);  // minutes and seconds
   [[nodiscard]] QString take_words(const RecordingStatus& recording) const;
   /// What is known of the recording so far: the expected error, or what happens to it.
   [[nodiscard]] QString outcome_text() const;
@@ -106,12 +111,16 @@ class RecordPage : public Page {
   QLabel* file_label_;
   QLineEdit* file_;
   QPushButton *browse_, *record_;
+  QComboBox* purpose_;      // a reference, a measurement
+  IntegerField* length_s_;  // 0: until it is stopped
+  QLabel* sign_;            // red while it records
   QLabel *progress_, *space_;
-  QStackedWidget* work_;  // how it bends; after a recording, what to do with it
+  QStackedWidget* work_;  // how it bends; after a recording, what to do with it; a measurement
+  QLabel* measurement_note_;
   QLabel* summary_;
   QPushButton *install_, *keep_, *again_, *inspect_, *onward_, *video_, *stop_install_;
   QProgressBar* bar_;
-  QStackedWidget* step_;  // install, wait for it, go on
+  QStackedWidget* step_;  // install, wait for it, go on, nothing
   QLabel *install_reason_, *outcome_;
   FrameChooser* chooser_;
   QListWidget* rejected_;
@@ -122,6 +131,8 @@ class RecordPage : public Page {
   std::filesystem::path shown_finger_;
   std::vector<std::filesystem::path> shown_source_;
   bool was_recording_ = false;
+  bool is_measurement_ = false;  // the running or last recording
+  QString proposed_file_;
   std::uint64_t contact_frames_ = 0;
   std::optional<bool> is_face_pressed_;  // of the newest frame; empty: unknown
   bool is_in_contact_ = false;           // in the last frame, and not during quick bending

@@ -11,6 +11,8 @@ enum class FileKind {
   kFolder,      ///< one other folder
   kVideo,       ///< one video
   kImages,      ///< one image or more
+  kRecipe,      ///< an inspection recipe
+  kMesh,        ///< a body
   kOther,       ///< a scene, a camera file, several kinds
 };
 
