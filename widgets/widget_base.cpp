@@ -199,8 +199,11 @@ void begin_in_last_folder(QFileDialog& dialog, FilesOf what, const QString& othe
                                                  "meshes",  "grippers",   "exports", "recipes"};
   const QString key =
       QStringLiteral("folders/") + QLatin1String(kNames.at(static_cast<std::size_t>(what) - 1));
+  // Of the open finger, set by the main window. Other fingers lie next to it.
+  QString finger = QCoreApplication::instance()->property("alltact_finger_folder").toString();
+  if (what == FilesOf::kFingers && !finger.isEmpty()) finger = QFileInfo(finger).absolutePath();
   for (const QString& folder :
-       {QSettings().value(key).toString(), otherwise,
+       {QSettings().value(key).toString(), otherwise, finger,
         QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation), QDir::homePath()})
     if (!folder.isEmpty() && QDir(folder).exists()) {
       dialog.setDirectory(folder);

@@ -258,7 +258,12 @@ void MainWindow::connect_start() {
       open_finger(folder.toStdString());
   });
   const auto show_recent = [this, cards] { cards->set_fingers(work_.state().recent_fingers); };
-  connect(&work_, &Workspace::finger_changed, cards, show_recent);
+  connect(&work_, &Workspace::recent_fingers_changed, cards, show_recent);
+  connect(cards, &FingerCards::removal_requested, &work_, &Workspace::forget_finger);
+  connect(&work_, &Workspace::finger_changed, this, [this] {
+    QCoreApplication::instance()->setProperty(
+        "alltact_finger_folder", QString::fromStdString(work_.state().finger.string()));
+  });
   show_recent();
 }
 

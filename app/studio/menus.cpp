@@ -55,7 +55,7 @@ FingerMenu::FingerMenu(Workspace& work, QWidget* window)
     : TranslatedMenu(window), work_(work), recent_(new QMenu(this)) {
   setToolTipsVisible(true);
   recent_->setToolTipsVisible(true);
-  connect(&work_, &Workspace::finger_changed, this, &FingerMenu::fill);
+  connect(&work_, &Workspace::recent_fingers_changed, this, &FingerMenu::fill);
   say([this] {
     recent_->setTitle(tr("&Recent fingers"));
     fill();

@@ -102,6 +102,13 @@ void Workspace::set_finger(const std::filesystem::path& folder) {
   session_.open_finger(folder);
   if (!folder.empty()) put_first(folder, state_.recent_fingers);
   Q_EMIT finger_changed();
+  Q_EMIT recent_fingers_changed();
+  Q_EMIT changed();
+}
+
+void Workspace::forget_finger(const std::filesystem::path& folder) {
+  if (std::erase(state_.recent_fingers, folder) == 0) return;
+  Q_EMIT recent_fingers_changed();
   Q_EMIT changed();
 }
 

@@ -27,6 +27,8 @@ class Workspace : public QObject {
   void open_source(const Inputs& inputs);
   /// Not undoable: the program's arguments. Empty ones are ignored.
   void begin_with(const std::filesystem::path& finger, const Inputs& source);
+  /// Its folder stays.
+  void forget_finger(const std::filesystem::path& folder);
   /// A value set by hand for the open camera, which is set again whenever it is opened.
   void store_control(const ControlValue& control);
   void store_lock(bool is_locked);
@@ -40,6 +42,7 @@ class Workspace : public QObject {
  Q_SIGNALS:
   /// Another one is open, or none.
   void finger_changed();
+  void recent_fingers_changed();
   /// Files in the open one's folder have changed, by this or another program; the live image
   /// follows.
   void finger_rewritten();

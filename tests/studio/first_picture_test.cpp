@@ -5,6 +5,7 @@
 #include "core/base/atomic_file.h"
 #include "tests/studio/calibrate_rig.h"
 #include "widgets/shell/finger_card.h"
+#include "widgets/widget_base.h"
 
 #include <QElapsedTimer>
 #include <QMenu>
@@ -61,6 +62,30 @@ TEST(SecondDayStart, MeasuresTheLastPictureOfASourceThatHasEnded) {
   EXPECT_FALSE(studio.session().view()->depth_layer) << "nobody knows the finger";
   studio.window().open_finger(MadeFingers::get().calibrated());
   EXPECT_TRUE(wait_until([&] { return studio.session().view()->depth_layer.has_value(); }, 30000));
+}
+
+TEST(SecondDayStart, AFingerIsRemovedFromTheListAndItsFolderStays) {
+  const TemporaryFolder folder;
+  Studio studio(of_yesterday(folder));
+  auto* cards = studio.window().findChild<FingerCards*>();
+  ASSERT_TRUE(wait_until([&] { return cards->cards().size() == 2; }));
+  const auto trigger = [&](const char* what) {
+    for (QAction* action : cards->findChild<QToolButton*>()->actions())
+      if (without_mnemonic(action->text()) == QLatin1String(what)) return action->trigger();
+    ADD_FAILURE() << "no action " << what;
+  };
+  const auto first = cards->cards().front().folder;
+  EXPECT_EQ(first, MadeFingers::get().calibrated());
+  trigger("Remove from this list");
+  ASSERT_TRUE(wait_until([&] { return cards->cards().size() == 1; }));
+  EXPECT_EQ(cards->cards().front().folder, MadeFingers::get().described());
+  EXPECT_TRUE(std::filesystem::exists(first / "finger.yaml"));
+  for (const QAction* action : studio.window().findChildren<QAction*>())
+    EXPECT_NE(action->toolTip().toStdString(), first.string()) << "nor in the menus";
+  QTest::qWait(50);  // the removed card is deleted
+  trigger("Open");
+  EXPECT_TRUE(wait_until(
+      [&] { return studio.session().status().finger.folder == MadeFingers::get().described(); }));
 }
 
 TEST(SecondDayStart, OffersOnlyFingersThatCanBeOpened) {

@@ -182,5 +182,26 @@ TEST(FileDialogs, BeginInTheFolderThatWasUsedLast) {
   QSettings().remove("folders");
 }
 
+TEST(FileDialogs, BeginInTheOpenFingersFolder) {
+  QSettings().remove("folders");
+  StudioOptions options;
+  options.finger = MadeFingers::get().described();
+  Studio studio(options);
+  QWidget window;
+  const auto begins_in = [&](FilesOf what) {
+    ask_for_file(&window, what, "a file", {}, [](const QString&) {});
+    auto* dialog = window.findChild<QFileDialog*>();
+    const std::string folder = dialog->directory().absolutePath().toStdString();
+    delete dialog;
+    return folder;
+  };
+  EXPECT_EQ(begins_in(FilesOf::kRecordings), MadeFingers::get().described());
+  EXPECT_EQ(begins_in(FilesOf::kFingers), MadeFingers::get().described().parent_path())
+      << "other fingers lie next to it";
+  studio.window().open_finger({});
+  EXPECT_NE(begins_in(FilesOf::kRecordings), MadeFingers::get().described());
+  QSettings().remove("folders");
+}
+
 }  // namespace
 }  // namespace alltact::test

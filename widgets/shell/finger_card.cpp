@@ -8,12 +8,15 @@
 #include "widgets/theme.h"
 #include "widgets/verdict_text.h"
 
+#include <QAction>
 #include <QDateTime>
+#include <QDesktopServices>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLocale>
 #include <QPainter>
+#include <QUrl>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -294,6 +297,18 @@ QToolButton* FingerCards::make_button(const FingerCard& card) {
   connect(button, &QToolButton::clicked, this, [this, folder = card.folder] {
     Q_EMIT finger_chosen(QString::fromStdString(folder.string()));
   });
+  const auto add_action = [&](const QString& text, const std::function<void()>& act) {
+    auto* action = new QAction(text, button);
+    connect(action, &QAction::triggered, this, act);
+    button->addAction(action);
+  };
+  button->setContextMenuPolicy(Qt::ActionsContextMenu);
+  add_action(tr("&Open"), [button] { button->click(); });
+  add_action(tr("&Show in folder"), [folder = card.folder] {
+    QDesktopServices::openUrl(QUrl::fromLocalFile(QString::fromStdString(folder.string())));
+  });
+  add_action(tr("&Remove from this list"),
+             [this, folder = card.folder] { Q_EMIT removal_requested(folder); });
   return button;
 }
 

@@ -83,6 +83,8 @@ class FingerCards : public Translated<QWidget> {
 
  Q_SIGNALS:
   void finger_chosen(const QString& folder);
+  /// The folder stays; it only leaves the list.
+  void removal_requested(const std::filesystem::path& folder);
   /// The folders, also after kMaxCards, with a finger that can be opened.
   void found(const std::vector<std::filesystem::path>& folders);
   /// cards() are shown.
