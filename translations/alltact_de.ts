@@ -2449,10 +2449,6 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Vid&amp;eo…</translation>
     </message>
     <message>
-        <source>Folder of &amp;images…</source>
-        <translation>Ordner mit B&amp;ildern…</translation>
-    </message>
-    <message>
         <source>Under the pointer</source>
         <translation>Unter dem Zeiger</translation>
     </message>
@@ -2509,16 +2505,20 @@ Der eigene Quelltext steht unter der BSD-3-Clause-Lizenz; mit den verwendeten Bi
         <translation>Ordner mit Aufnahmen</translation>
     </message>
     <message>
-        <source>Recordin&amp;gs…</source>
-        <translation>Aufnahmen…</translation>
-    </message>
-    <message>
         <source>Lists the recordings in this finger&apos;s folder</source>
         <translation>Zeigt die Aufnahmen im Ordner dieses Fingers</translation>
     </message>
     <message>
         <source>compare with the body %1</source>
         <translation>Vergleichen mit dem Körper %1</translation>
+    </message>
+    <message>
+        <source>&amp;Images…</source>
+        <translation>B&amp;ilder…</translation>
+    </message>
+    <message>
+        <source>Recordings…</source>
+        <translation>Aufnahmen…</translation>
     </message>
 </context>
 <context>

@@ -2433,10 +2433,6 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>视频(&amp;O)…</translation>
     </message>
     <message>
-        <source>Folder of &amp;images…</source>
-        <translation>图像文件夹(&amp;I)…</translation>
-    </message>
-    <message>
         <source>Under the pointer</source>
         <translation>指针下方</translation>
     </message>
@@ -2493,16 +2489,20 @@ Its own source is under the BSD-3-Clause licence; with the libraries it uses, th
         <translation>录像文件夹</translation>
     </message>
     <message>
-        <source>Recordin&amp;gs…</source>
-        <translation>录像(&amp;G)…</translation>
-    </message>
-    <message>
         <source>Lists the recordings in this finger&apos;s folder</source>
         <translation>列出此手指文件夹中的录像</translation>
     </message>
     <message>
         <source>compare with the body %1</source>
         <translation>与物体 %1 比较</translation>
+    </message>
+    <message>
+        <source>&amp;Images…</source>
+        <translation>图像(&amp;I)…</translation>
+    </message>
+    <message>
+        <source>Recordings…</source>
+        <translation>录像…</translation>
     </message>
 </context>
 <context>

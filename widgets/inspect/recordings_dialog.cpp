@@ -183,7 +183,9 @@ void RecordingsDialog::show_row(int row) {
     box.moveCenter(QRect(QPoint(), kThumbnail).center());
     painter.drawImage(box, recording.image);
   }
-  item->setIcon(QIcon(thumbnail));
+  QIcon frame(thumbnail);
+  frame.addPixmap(thumbnail, QIcon::Selected);  // not tinted
+  item->setIcon(frame);
 }
 
 const RecordingsDialog::Recording* RecordingsDialog::selected() const {

@@ -23,6 +23,7 @@ namespace alltact {
 namespace {
 
 constexpr int kInspectSideWidth = 296;
+constexpr int kHeaderSpacing_px = 5;              // five buttons and a text in a window of 1024 px
 constexpr int kFirstTurn = 21000, kTurns = 1000;  // merge ids
 // Steps of wheel and keys within this time are one undo step.
 constexpr int kOneTurn_ms = 700;
@@ -78,6 +79,7 @@ InspectPage::InspectPage(LiveSession& session, QUndoStack& undo, QWidget* parent
 QWidget* InspectPage::make_header() {
   auto* header = new QWidget;
   auto* row = without_margins(new QHBoxLayout(header));
+  row->setSpacing(kHeaderSpacing_px);
   live_->setCheckable(true);
   live_->setChecked(true);
   add_widgets(*row, {live_, recordings_, video_, folder_, pair_box_->open_button()});
@@ -168,11 +170,11 @@ void InspectPage::connect_panes() {
 void InspectPage::name_parts() {
   live_->setText(tr("&Live finger"));
   live_->setToolTip(tr("Shows the open source instead of a recording"));
-  recordings_->setText(tr("Recordin&gs…"));
+  recordings_->setText(tr("Recordings…"));
   recordings_->setToolTip(tr("Lists the recordings in this finger's folder"));
   video_->setText(tr("Vide&o…"));
   video_->setToolTip(tr("Inspects a recorded video of this finger"));
-  folder_->setText(tr("Folder of &images…"));
+  folder_->setText(tr("&Images…"));
   folder_->setToolTip(tr("Inspects a folder of images of this finger"));
   shown_->setAccessibleName(tr("What is shown"));
   summary_->setAccessibleName(tr("Deepest contact"));

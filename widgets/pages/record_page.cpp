@@ -228,7 +228,7 @@ void RecordPage::make_result_group(QVBoxLayout& column) {
   without_margins(new QVBoxLayout(installed))->addWidget(onward_);
   for (QWidget* step : {offered, working, installed, measured}) step_->addWidget(step);
   step_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
-  add_widgets(*layout, {summary_, outcome_, skin_changed_, step_, inspect_});
+  add_widgets(*layout, {summary_, outcome_, inspect_, skin_changed_, step_});
   column.addWidget(result_group_);
   column.addStretch();
 }
