@@ -29,6 +29,27 @@ QString number_or_dash(const std::optional<double>& value, int digits) {
   return value ? plain_number(*value, digits) : RecipeBox::tr("–");
 }
 
+QString heading_of(const RecipeReading& reading) {
+  return QStringLiteral("%1, %2").arg(QString::fromStdString(reading.name),
+                                      unit_text(reading.what));
+}
+
+/// Mean, spread, smallest and largest value.
+QStringList figures_of(const ReadingSummary& summary, Measurand what) {
+  QStringList figures;
+  for (const auto& value : {summary.mean, summary.sd, summary.min, summary.max})
+    figures << number_or_dash(value, decimals_of(what));
+  return figures;
+}
+
+/// Frames that pass, fail and are undecided.
+QStringList decisions_of(const ReadingSummary& summary) {
+  QStringList decisions;
+  for (const std::size_t count : {summary.passed, summary.failed, summary.undecided})
+    decisions << plain_number(static_cast<double>(count), 0);
+  return decisions;
+}
+
 QString inspection_verdict_text(const InspectionLog& log) {
   const int frames = static_cast<int>(log.rows.size());
   switch (log.verdict()) {
@@ -326,15 +347,9 @@ void InspectionResults::show_log() {
   for (std::size_t i = 0; i < summaries.size(); ++i) {
     const ReadingSummary& one = summaries[i];
     const RecipeReading& reading = log_->recipe.readings[i];
-    const int digits = decimals_of(reading.what);
-    auto* row = table_->add_numbers(
-        {QStringLiteral("%1, %2").arg(QString::fromStdString(reading.name),
-                                      unit_text(reading.what)),
-         number_or_dash(one.mean, digits), number_or_dash(one.sd, digits),
-         number_or_dash(one.min, digits), number_or_dash(one.max, digits),
-         trend_text(one, reading.what), plain_number(static_cast<double>(one.passed), 0),
-         plain_number(static_cast<double>(one.failed), 0),
-         plain_number(static_cast<double>(one.undecided), 0)});
+    auto* row =
+        table_->add_numbers(QStringList{heading_of(reading)} + figures_of(one, reading.what) +
+                            QStringList{trend_text(one, reading.what)} + decisions_of(one));
     if (one.failed > 0)
       row->setIcon(
           0, QIcon(symbol(meaning_symbol(Meaning::kBad), meaning_colour(Meaning::kBad, palette()),
@@ -455,16 +470,8 @@ void RecordingsInspection::show_recordings() {
     for (std::size_t i = 0; i < summaries.size(); ++i) {
       const ReadingSummary& all = summaries[i];
       const RecipeReading& reading = one.log->recipe.readings[i];
-      const int digits = decimals_of(reading.what);
-      auto* row =
-          table_->add_numbers({name,
-                               QStringLiteral("%1, %2").arg(QString::fromStdString(reading.name),
-                                                            unit_text(reading.what)),
-                               number_or_dash(all.mean, digits), number_or_dash(all.sd, digits),
-                               number_or_dash(all.min, digits), number_or_dash(all.max, digits),
-                               plain_number(static_cast<double>(all.passed), 0),
-                               plain_number(static_cast<double>(all.failed), 0),
-                               plain_number(static_cast<double>(all.undecided), 0)});
+      auto* row = table_->add_numbers(QStringList{name, heading_of(reading)} +
+                                      figures_of(all, reading.what) + decisions_of(all));
       row->setTextAlignment(1, Qt::AlignLeft | Qt::AlignVCenter);
     }
   }
